@@ -1,0 +1,27 @@
+# Language level, warnings, sanitizers and ccache, for every target of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+# Exact predicates rely on every product being rounded by itself.
+add_compile_options(-ffp-contract=off)
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+if(CIRQUE_SANITIZE)
+  add_compile_options(-fsanitize=${CIRQUE_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${CIRQUE_SANITIZE})
+endif()
+
+# The warnings of our own targets; libraries' headers are system headers and stay silent.
+add_library(cirque_warnings INTERFACE)
+target_compile_options(cirque_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual
+  -Wundef -Wdouble-promotion
+  $<$<BOOL:${CIRQUE_WARNINGS_AS_ERRORS}>:-Werror>)

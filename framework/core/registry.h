@@ -1,0 +1,42 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cirque/core/status.h"
+#include "cirque/core/text.h"
+
+namespace cirque {
+
+/// A table from names to things of one kind (usually factories), written out in one file, one line
+/// an entry.
+template <class T>
+class Registry {
+ public:
+  /// `kind` names what is registered, in messages: "solver strategy".
+  Registry(std::string kind, std::initializer_list<std::pair<std::string, T>> entries)
+      : kind_(std::move(kind)), entries_(entries) {}
+
+  /// The names, in the order of the table.
+  std::vector<std::string> Names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : entries_) names.push_back(name);
+    return names;
+  }
+
+  /// The thing of that name, or an error that lists the known names and the nearest one.
+  StatusOr<T> Find(const std::string& name) const {
+    for (const auto& [known, value] : entries_) {
+      if (known == name) return value;
+    }
+    return Status::InvalidInput(UnknownName(kind_, name, Names()));
+  }
+
+ private:
+  std::string kind_;
+  std::vector<std::pair<std::string, T>> entries_;
+};
+
+}  // namespace cirque

@@ -1,0 +1,57 @@
+#include "cirque/core/text.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace cirque {
+namespace {
+
+/// Levenshtein distance, one row at a time.
+int EditDistance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& known) {
+  const auto distance = [&](const std::string& k) { return EditDistance(word, k); };
+  const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return distance(a) < distance(b);
+  });
+  if (best == known.end()) return {};
+  const int tolerated = std::max<int>(2, static_cast<int>(word.size()) / 3);
+  return distance(*best) <= tolerated ? *best : std::string();
+}
+
+std::string UnknownName(std::string_view kind, std::string_view name,
+                        const std::vector<std::string>& known) {
+  const std::string nearest = NearestWord(name, known);
+  const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  return fmt::format("unknown {} '{}'{} Known: {}", kind, name, nearest.empty() ? "." : hint,
+                     Join(known));
+}
+
+std::string Join(const std::vector<std::string>& words, std::string_view separator) {
+  return fmt::format("{}", fmt::join(words, separator));
+}
+
+std::string IdList(const std::vector<int>& ids, int limit) {
+  const int shown = std::min<int>(limit, static_cast<int>(ids.size()));
+  std::string list = fmt::format("{}", fmt::join(ids.begin(), ids.begin() + shown, ", "));
+  const int hidden = static_cast<int>(ids.size()) - shown;
+  return hidden > 0 ? fmt::format("{} and {} more", list, hidden) : list;
+}
+
+}  // namespace cirque

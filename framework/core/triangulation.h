@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "cirque/core/types.h"
+
+namespace cirque {
+
+/// Connectivity of a triangulated, oriented surface: a Delta-complex, so a face may be glued to
+/// itself and two vertices may share several edges. Halfedge h = 3 f + k is the edge of face f
+/// opposite its corner k; it runs from the vertex of corner k + 1 to that of corner k + 2 (mod 3),
+/// with the face on its left.
+///
+/// Invariants: twin[twin[h]] == h; twins run between the same two vertices in opposite directions;
+/// edges are numbered by their smaller halfedge, in increasing order; every vertex is a corner of
+/// some face.
+struct Triangulation {
+  Index num_vertices = 0;
+  std::vector<Index> vertex;         ///< 3F: the vertex at corner h
+  std::vector<Index> twin;           ///< 3F: the halfedge across the edge, kNone on the boundary
+  std::vector<Index> edge;           ///< 3F: the edge of halfedge h
+  std::vector<Index> edge_halfedge;  ///< E: the smaller halfedge of each edge
+
+  Index num_faces() const { return static_cast<Index>(vertex.size() / 3); }
+  Index num_halfedges() const { return static_cast<Index>(vertex.size()); }
+  Index num_edges() const { return static_cast<Index>(edge_halfedge.size()); }
+
+  static Index Face(Index h) { return h / 3; }
+  static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index Prev(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  Index Tail(Index h) const { return vertex[Next(h)]; }
+  Index Tip(Index h) const { return vertex[Prev(h)]; }
+  bool IsBoundaryEdge(Index e) const { return twin[edge_halfedge[e]] == kNone; }
+};
+
+/// Numbers the edges of a gluing that satisfies the invariants above.
+Triangulation NumberEdges(Index num_vertices, std::vector<Index> vertex, std::vector<Index> twin);
+
+/// For every vertex, whether it lies on the boundary.
+std::vector<bool> BoundaryVertices(const Triangulation& triangulation);
+
+/// For every vertex, its number of corners (of an interior vertex: its valence).
+std::vector<Index> CornersPerVertex(const Triangulation& triangulation);
+
+/// The boundary loops, each as its halfedges in order, the surface on the left. Loops start at
+/// their smallest halfedge and are ordered by it.
+std::vector<std::vector<Index>> BoundaryLoops(const Triangulation& triangulation);
+
+/// V - E + F.
+Index EulerCharacteristic(const Triangulation& triangulation);
+
+}  // namespace cirque

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
+
+namespace cirque {
+
+/// The corner angles of the Euclidean triangles with these edge lengths [rad], computed without
+/// cancellation for needles (Kahan). A face that violates the triangle inequality gets angles 0, 0,
+/// pi, the pi opposite its longest edge.
+CornerAngles MeasureCornerAngles(const Triangulation& triangulation, const EdgeLengths& lengths);
+
+}  // namespace cirque

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/core/status.h"
+#include "cirque/mesh/polygon_soup.h"
+
+namespace cirque {
+
+/// Reads a mesh by its file name's extension (any case): obj, off, ply, stl. Errors name file:line
+/// where the format has lines, what was expected, and what to do. Nothing is repaired here: see
+/// preflight.h.
+StatusOr<PolygonSoup> ReadMesh(const std::string& path);
+
+/// Writes a mesh by its file name's extension, atomically, coordinates in shortest round-trip
+/// digits.
+Status WriteMesh(const std::string& path, const PolygonSoup& mesh);
+
+/// The extensions that ReadMesh and WriteMesh know, in the order of the table.
+std::vector<std::string> ReadableExtensions();
+std::vector<std::string> WritableExtensions();
+
+}  // namespace cirque

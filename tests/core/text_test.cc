@@ -1,0 +1,28 @@
+#include "cirque/core/text.h"
+
+#include <gtest/gtest.h>
+
+namespace cirque {
+namespace {
+
+TEST(Text, NearestWordFindsMisspellingsAndNothingElse) {
+  const std::vector<std::string> known = {"newton", "newton_cg", "ceres_line_search"};
+  EXPECT_EQ(NearestWord("newtn", known), "newton");
+  EXPECT_EQ(NearestWord("ceres_linesearch", known), "ceres_line_search");
+  EXPECT_EQ(NearestWord("interior", known), "");
+  EXPECT_EQ(NearestWord("x", {}), "");
+}
+
+TEST(Text, UnknownNameNamesKindHintAndKnown) {
+  EXPECT_EQ(UnknownName("strategy", "newtn", {"newton", "cg"}),
+            "unknown strategy 'newtn'; did you mean 'newton'? Known: newton, cg");
+  EXPECT_EQ(UnknownName("strategy", "zzz", {"newton"}), "unknown strategy 'zzz'. Known: newton");
+}
+
+TEST(Text, IdListIsCut) {
+  EXPECT_EQ(IdList({3, 7}), "3, 7");
+  EXPECT_EQ(IdList({1, 2, 3, 4}, 2), "1, 2 and 2 more");
+}
+
+}  // namespace
+}  // namespace cirque
