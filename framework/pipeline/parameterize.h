@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cirque/core/metric.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
@@ -30,6 +31,6 @@ struct Parameterization {
 /// kInfeasible (certificate holds the proof), kUnrepresentable or kNotConverged when there is no
 /// map; `result` then carries no uv.
 Status Parameterize(const Surface& surface, const ParameterizeOptions& options,
-                    Parameterization* result);
+                    const SolveControl& control, Parameterization* result);
 
 }  // namespace cirque

@@ -1,0 +1,124 @@
+#include "cirque/angles/angle_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cirque/angles/infeasibility.h"
+#include "cirque/core/text.h"
+#include "cirque/energy/dual_angle_energy.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kAcceptedGradient = 1e-9;
+constexpr double kLeastEpsilon = 1e-8;
+
+/// Watches the dual's iterates for a proof of infeasibility: where none exists they run off along one, so both
+/// the iterate and its last step are candidates.
+class InfeasibilityWatch {
+ public:
+  InfeasibilityWatch(const AngleFitProblem& problem, const SolveControl& outer)
+      : problem_(problem), outer_(outer) {}
+
+  CallbackAction operator()(const IterationRecord& record, const Eigen::VectorXd& y) {
+    if (outer_.callback && outer_.callback(record, y) == CallbackAction::kStop) {
+      return CallbackAction::kStop;
+    }
+    Consider(y);
+    if (previous_.size() == y.size()) Consider(y - previous_);
+    previous_ = y;
+    return proof_.empty() ? CallbackAction::kContinue : CallbackAction::kStop;
+  }
+
+  const InfeasibilityProof& proof() const { return proof_; }
+
+ private:
+  void Consider(const Eigen::VectorXd& candidate) {
+    if (proof_.empty()) {
+      proof_ = ProveInfeasible(problem_.constraints, problem_.epsilon, candidate);
+    }
+  }
+
+  const AngleFitProblem& problem_;
+  const SolveControl& outer_;
+  Eigen::VectorXd previous_;
+  InfeasibilityProof proof_;
+};
+
+/// Makes triangle sums exact to rounding: the radii's gradient sums to their total error.
+void CloseTriangles(Eigen::VectorXd* alpha) {
+  for (Index h = 0; h < alpha->size(); h += 3) {
+    auto face = alpha->segment<3>(h);
+    face.array() += (kPi - face.sum()) / 3;
+  }
+}
+
+std::string InfeasibleMessage(const InfeasibilityProof& proof) {
+  const std::string margin = proof.epsilon_over_pi == 0
+                                 ? std::string()
+                                 : fmt::format(" with margin {:.1e} rad", proof.epsilon_over_pi * kPi);
+  return fmt::format(
+      "no coherent angles{} exist: proven by multipliers largest at faces {} and vertices {} (0-based); "
+      "allow cones there, or flip to the intrinsic Delaunay triangulation",
+      margin, IdList(proof.carrying_faces), IdList(proof.carrying_vertices));
+}
+
+/// The largest margin worth trying first.
+double FirstEpsilon(const AngleFitProblem& problem) {
+  const AngleConstraints& constraints = problem.constraints;
+  const std::vector<Index> corners = CornersPerVertex(constraints.triangulation());
+  double epsilon = problem.epsilon;
+  for (std::size_t i = 0; i < constraints.constrained_vertices().size(); ++i) {
+    const double sum = constraints.Upper(constraints.num_faces() + static_cast<int>(i));
+    epsilon = std::min(epsilon, 0.5 * sum / corners[constraints.constrained_vertices()[i]]);
+  }
+  return epsilon;
+}
+
+}  // namespace
+
+Status FitAnglesByDual(const AngleFitProblem& problem,
+                       const std::shared_ptr<const AngleObjective>& objective,
+                       const SolverStrategy& strategy, const SolveControl& control,
+                       AngleFitResult* result) {
+  const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, objective);
+  InfeasibilityWatch watch(problem, control);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
+  const SolveControl watched{std::ref(watch), control.cancelled};
+  result->solve = strategy.Minimize(energy, watched, &y);
+  if (!watch.proof().empty()) {
+    result->infeasibility = watch.proof();
+    return Status(StatusCode::kInfeasible, InfeasibleMessage(watch.proof()));
+  }
+  if (result->solve.termination == Termination::kCancelled) {
+    return Status(StatusCode::kCancelled, "angle fit: cancelled");
+  }
+  result->angles = {energy.Angles(y.data()), problem.epsilon};
+  CloseTriangles(&result->angles.value);
+  result->kkt = CheckFeasibility(problem.constraints, result->angles.value);
+  result->kkt.primal = energy.Primal(result->angles.value);
+  result->kkt.dual = -result->solve.final_value;
+  if (!(result->solve.final_gradient_max <= kAcceptedGradient)) {
+    return Status(StatusCode::kNotConverged, "angle fit: " + result->solve.BriefReport());
+  }
+  return Status();
+}
+
+Status FitAngles(const AngleFitProblem& problem,
+                 const std::shared_ptr<const AngleObjective>& objective,
+                 const SolverStrategy& strategy, const SolveControl& control,
+                 AngleFitResult* result) {
+  AngleFitProblem attempt{problem.constraints, problem.reference, FirstEpsilon(problem)};
+  while (true) {
+    *result = AngleFitResult();
+    const Status status = FitAnglesByDual(attempt, objective, strategy, control, result);
+    const bool smaller_margin_may_do =
+        status.code() == StatusCode::kInfeasible && result->infeasibility.epsilon_over_pi > 0;
+    if (!smaller_margin_may_do || attempt.epsilon <= kLeastEpsilon) return status;
+    attempt.epsilon = std::max(kLeastEpsilon, attempt.epsilon / 10);
+  }
+}
+
+}  // namespace cirque

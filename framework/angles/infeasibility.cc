@@ -1,0 +1,125 @@
+#include "cirque/angles/infeasibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cirque/math/compensated_sum.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxDenominator = 12;      ///< of the integer multiples that are tried
+constexpr double kSafety = 1e-9;         ///< share of sum |terms| that the margin must exceed: far above rounding
+constexpr int kMaxCarriers = 50;
+
+/// max of p a + q b over the triangle with corners (eps, eps), (1 - 2 eps, eps), (eps, 1 - 2 eps).
+double SupportOfTriangle(double p, double q, double eps) {
+  return eps * (p + q) + (1 - 3 * eps) * std::max({0.0, p, q});
+}
+
+/// max of p a over [eps, 1 - eps].
+double SupportOfInterval(double p, double eps) { return p > 0 ? p * (1 - eps) : p * eps; }
+
+struct Margin {
+  double value = 0, magnitude = 0;  ///< the margin and the sum of its terms' absolute values
+};
+
+Margin ComputeMargin(const AngleConstraints& constraints, double epsilon,
+                     const Eigen::VectorXd& y) {
+  const Triangulation& t = constraints.triangulation();
+  const double eps = epsilon / kPi;
+  CompensatedSum sum;
+  Margin margin;
+  const auto add = [&](double term) {
+    sum.Add(term);
+    margin.magnitude += std::abs(term);
+  };
+  for (int row = 0; row < constraints.num_rows(); ++row) {
+    add(y[row] * (y[row] > 0 ? constraints.Lower(row) : constraints.Upper(row)) / kPi);
+  }
+  for (const Index h : t.edge_halfedge) {
+    const double p = constraints.Slope(y.data(), h);
+    add(t.twin[h] == kNone
+            ? -SupportOfInterval(p, eps)
+            : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps));
+  }
+  margin.value = sum.Value();
+  return margin;
+}
+
+/// The ids of the entries with the largest absolute values, those within a thousandth of the largest.
+std::vector<Index> Carriers(const Eigen::VectorXd& multipliers, const std::vector<Index>& ids) {
+  std::vector<Index> order(multipliers.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::abs(multipliers[a]) > std::abs(multipliers[b]);
+  });
+  std::vector<Index> carriers;
+  for (const Index i : order) {
+    const double largest = std::abs(multipliers[order.front()]);
+    if (static_cast<int>(carriers.size()) == kMaxCarriers ||
+        std::abs(multipliers[i]) <= 1e-3 * largest) {
+      break;
+    }
+    carriers.push_back(ids.empty() ? i : ids[i]);
+  }
+  return carriers;
+}
+
+InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon,
+                             const Eigen::VectorXd& y, double margin) {
+  InfeasibilityProof proof;
+  const int faces = constraints.num_faces();
+  proof.epsilon_over_pi = epsilon / kPi;
+  proof.margin = margin;
+  proof.constrained_vertex = constraints.constrained_vertices();
+  proof.face_multiplier.assign(y.data(), y.data() + faces);
+  proof.vertex_multiplier.assign(y.data() + faces, y.data() + y.size());
+  for (int row = faces; row < constraints.num_rows(); ++row) {
+    proof.lower_over_pi.push_back(constraints.Lower(row) / kPi);
+    proof.upper_over_pi.push_back(constraints.Upper(row) / kPi);
+  }
+  proof.carrying_faces = Carriers(y.head(faces), {});
+  proof.carrying_vertices = Carriers(y.tail(y.size() - faces), proof.constrained_vertex);
+  return proof;
+}
+
+/// At margin 0 the inequality may hold with equality (the conditions are open), which only exact multipliers show.
+InfeasibilityProof ProveWithIntegers(const AngleConstraints& constraints,
+                                     const Eigen::VectorXd& unit) {
+  for (int denominator = 1; denominator <= kMaxDenominator; ++denominator) {
+    const Eigen::VectorXd y = (unit * denominator).array().round().matrix();
+    const Margin margin = ComputeMargin(constraints, 0, y);
+    // Multiples of pi / k as targets are the rule; they and integers leave errors of a few ulp of the whole sum.
+    if (margin.value >= -1e-13 * margin.magnitude && margin.magnitude > 0 &&
+        InfeasibilityMargin(constraints, 1e-6, y) > 0) {
+      return MakeProof(constraints, 0, y, std::max(0.0, margin.value));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+double InfeasibilityMargin(const AngleConstraints& constraints, double epsilon,
+                           const Eigen::VectorXd& y) {
+  return ComputeMargin(constraints, epsilon, y).value;
+}
+
+InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double epsilon,
+                                   const Eigen::VectorXd& y) {
+  const double largest = y.lpNorm<Eigen::Infinity>();
+  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const Eigen::VectorXd unit = y / largest;
+  const Margin with_epsilon = ComputeMargin(constraints, epsilon, unit);
+  if (!(with_epsilon.value > kSafety * with_epsilon.magnitude)) return {};
+  const Margin without = ComputeMargin(constraints, 0, unit);
+  if (without.value > kSafety * without.magnitude) {
+    return MakeProof(constraints, 0, unit, without.value);
+  }
+  InfeasibilityProof exact = ProveWithIntegers(constraints, unit);
+  return exact.empty() ? MakeProof(constraints, epsilon, unit, with_epsilon.value) : exact;
+}
+
+}  // namespace cirque

@@ -1,0 +1,31 @@
+#include "cirque/energy/angle_constraints.h"
+
+#include <glog/logging.h>
+
+namespace cirque {
+
+AngleConstraints::AngleConstraints(const Triangulation& t, const ConeTargets& targets)
+    : triangulation_(t), num_faces_(t.num_faces()), row_of_vertex_(t.num_vertices, kNone),
+      lower_(num_faces_, kPi), upper_(num_faces_, kPi) {
+  CHECK_EQ(static_cast<int>(targets.lower.size()), t.num_vertices);
+  CHECK_EQ(static_cast<int>(targets.upper.size()), t.num_vertices);
+  const std::vector<Index> corners = CornersPerVertex(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (targets.lower[v] <= 0 && targets.upper[v] >= kPi * corners[v]) continue;
+    row_of_vertex_[v] = num_rows();
+    constrained_vertices_.push_back(v);
+    lower_.push_back(targets.lower[v]);
+    upper_.push_back(targets.upper[v]);
+  }
+}
+
+Eigen::VectorXd AngleConstraints::Apply(const Eigen::VectorXd& alpha) const {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(num_rows());
+  for (Index h = 0; h < triangulation_.num_halfedges(); ++h) {
+    sums[Triangulation::Face(h)] += alpha[h];
+    if (VertexRow(h) != kNone) sums[VertexRow(h)] += alpha[h];
+  }
+  return sums;
+}
+
+}  // namespace cirque

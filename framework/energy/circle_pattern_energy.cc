@@ -1,0 +1,114 @@
+#include "cirque/energy/circle_pattern_energy.h"
+
+#include <glog/logging.h>
+
+#include <cmath>
+
+#include "cirque/energy/circle_pattern_residual.h"
+#include "cirque/math/circle_angle.h"
+#include "cirque/math/compensated_sum.h"
+
+namespace cirque {
+
+CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentAngles& angles)
+    : num_faces_(t.num_faces()), boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
+  for (const Index h : t.edge_halfedge) {
+    const Index g = t.twin[h];
+    const double alpha = angles.value[h];
+    CHECK_GT(alpha, 0) << "corner " << h;
+    if (g == kNone) {
+      boundary_star_[Triangulation::Face(h)] -= 2 * alpha;
+    } else {
+      CHECK_GT(angles.value[g], 0) << "corner " << g;
+      CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
+      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), alpha, angles.value[g]});
+    }
+  }
+}
+
+double CirclePatternEnergy::InteriorEdge::theta() const { return kPi - alpha_i - alpha_j; }
+
+double CirclePatternEnergy::InteriorEdge::natural_d() const {
+  return std::log(std::sin(alpha_j) / std::sin(alpha_i));
+}
+
+bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
+  CompensatedSum sum;
+  for (int f = 0; f < num_faces_; ++f) sum.Add(boundary_star_[f] * rho[f]);
+  for (const InteriorEdge& e : edges_) {
+    const double theta = e.theta();
+    sum.Add(PatternEdgeEnergy(rho[e.i] - rho[e.j], theta).value);
+    sum.Add(-(kPi - theta) * (rho[e.i] + rho[e.j]));
+  }
+  *value = sum.Value();
+  if (!std::isfinite(*value)) return false;
+  return gradient ? Gradient(rho, gradient) : true;
+}
+
+bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
+  Eigen::Map<Eigen::VectorXd>(gradient, num_faces_) = boundary_star_;
+  for (const InteriorEdge& e : edges_) {
+    const double theta = e.theta();
+    const double phi_i = HalfAngle(rho[e.i] - rho[e.j], theta);
+    gradient[e.i] -= 2 * phi_i;
+    gradient[e.j] -= 2 * ((kPi - theta) - phi_i);
+  }
+  return true;
+}
+
+template <class Weight>
+void CirclePatternEnergy::AssembleLaplacian(const Weight& weight, SparseMatrix* lower) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(num_faces_ + 3 * edges_.size());
+  for (int f = 0; f < num_faces_; ++f) entries.emplace_back(f, f, 0.0);
+  for (const InteriorEdge& e : edges_) {
+    if (e.i == e.j) continue;  // a face glued to itself: d = 0 whatever rho is
+    const double w = weight(e);
+    entries.emplace_back(e.i, e.i, w);
+    entries.emplace_back(e.j, e.j, w);
+    entries.emplace_back(std::max(e.i, e.j), std::min(e.i, e.j), -w);
+  }
+  lower->resize(num_faces_, num_faces_);
+  lower->setFromTriplets(entries.begin(), entries.end());
+}
+
+bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const {
+  AssembleLaplacian(
+      [&](const InteriorEdge& e) { return HalfAngleWeight(rho[e.i] - rho[e.j], e.theta()); },
+      lower);
+  return true;
+}
+
+void CirclePatternEnergy::LeastSquaresStart(SparseMatrix* lower,
+                                            Eigen::VectorXd* right_side) const {
+  AssembleLaplacian(
+      [](const InteriorEdge& e) { return HalfAngleWeight(e.natural_d(), e.theta()); }, lower);
+  right_side->setZero(num_faces_);
+  for (const InteriorEdge& e : edges_) {
+    const double flow = HalfAngleWeight(e.natural_d(), e.theta()) * e.natural_d();
+    (*right_side)[e.i] += flow;
+    (*right_side)[e.j] -= flow;
+  }
+}
+
+double CirclePatternEnergy::ResidualOffset() const {
+  CompensatedSum sum;
+  for (const InteriorEdge& e : edges_) {
+    const double d = e.natural_d();
+    sum.Add(PatternEdgeEnergy(d, e.theta()).value);
+    sum.Add((e.alpha_i - e.alpha_j) * d);
+  }
+  return sum.Value();
+}
+
+void CirclePatternEnergy::AddResidualBlocks(double* rho, ceres::Problem* problem) const {
+  for (int f = 0; f < num_faces_; ++f) problem->AddParameterBlock(rho + f, 1);
+  for (const InteriorEdge& e : edges_) {
+    if (e.i == e.j) continue;
+    problem->AddResidualBlock(new CirclePatternResidual(e.alpha_i, e.alpha_j), nullptr, rho + e.i,
+                              rho + e.j);
+  }
+  problem->SetParameterBlockConstant(rho);
+}
+
+}  // namespace cirque

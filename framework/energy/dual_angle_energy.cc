@@ -1,0 +1,109 @@
+#include "cirque/energy/dual_angle_energy.h"
+
+#include <array>
+#include <utility>
+
+#include "cirque/math/compensated_sum.h"
+
+namespace cirque {
+
+DualAngleEnergy::DualAngleEnergy(const AngleConstraints& constraints,
+                                 const Eigen::VectorXd& reference, double epsilon,
+                                 std::shared_ptr<const AngleObjective> objective)
+    : constraints_(constraints), reference_(reference), epsilon_(epsilon),
+      objective_(std::move(objective)) {}
+
+EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
+  const Triangulation& t = constraints_.triangulation();
+  const Index l = t.edge_halfedge[e], r = t.twin[l];
+  const double s_l = constraints_.Slope(y, l);
+  if (r == kNone) return objective_->BoundaryConjugate(reference_[l], epsilon_, s_l);
+  return objective_->InteriorConjugate(reference_[l], reference_[r], epsilon_, s_l,
+                                       constraints_.Slope(y, r));
+}
+
+bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient) const {
+  const Triangulation& t = constraints_.triangulation();
+  const int rows = constraints_.num_rows();
+  CompensatedSum sum;
+  // With interval targets this is the slope on the side where y is; fixed targets have both sides equal.
+  const auto target = [&](int row) {
+    return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
+  };
+  for (int row = 0; row < rows; ++row) {
+    sum.Add(-target(row) * y[row]);
+    if (gradient) gradient[row] = -target(row);
+  }
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const EdgeConjugate g = Conjugate(e, y);
+    sum.Add(g.value);
+    if (!gradient) continue;
+    const auto add = [&](Index h, double alpha) {
+      gradient[Triangulation::Face(h)] += alpha;
+      if (const int row = constraints_.VertexRow(h); row != kNone) gradient[row] += alpha;
+    };
+    add(t.edge_halfedge[e], g.alpha_l);
+    if (!t.IsBoundaryEdge(e)) add(t.twin[t.edge_halfedge[e]], g.alpha_r);
+  }
+  *value = sum.Value();
+  return true;
+}
+
+bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
+  const Triangulation& t = constraints_.triangulation();
+  const int rows = constraints_.num_rows();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(rows + 3 * t.num_halfedges());
+  for (int row = 0; row < rows; ++row) entries.emplace_back(row, row, 0.0);
+  const auto add = [&](Index h, Index g, double weight) {
+    if (weight == 0) return;
+    const std::array<int, 2> of_h = {Triangulation::Face(h), constraints_.VertexRow(h)};
+    const std::array<int, 2> of_g = {Triangulation::Face(g), constraints_.VertexRow(g)};
+    for (const int i : of_h) {
+      for (const int j : of_g) {
+        if (i != kNone && j != kNone && i >= j) entries.emplace_back(i, j, weight);
+      }
+    }
+  };
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const EdgeConjugate g = Conjugate(e, y);
+    const Index l = t.edge_halfedge[e], r = t.twin[l];
+    add(l, l, g.h_ll);
+    if (r == kNone) continue;
+    add(r, r, g.h_rr);
+    add(l, r, g.h_lr);
+    add(r, l, g.h_lr);
+  }
+  lower->resize(rows, rows);
+  lower->setFromTriplets(entries.begin(), entries.end());
+  return true;
+}
+
+std::vector<int> DualAngleEnergy::GaugeParameters() const {
+  return constraints_.HasGauge() ? std::vector<int>{constraints_.num_faces()} : std::vector<int>{};
+}
+
+Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {
+  const Triangulation& t = constraints_.triangulation();
+  Eigen::VectorXd alpha(t.num_halfedges());
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const EdgeConjugate g = Conjugate(e, y);
+    const Index l = t.edge_halfedge[e];
+    alpha[l] = g.alpha_l;
+    if (t.twin[l] != kNone) alpha[t.twin[l]] = g.alpha_r;
+  }
+  return alpha;
+}
+
+double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha) const {
+  const Triangulation& t = constraints_.triangulation();
+  CompensatedSum sum;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index l = t.edge_halfedge[e], r = t.twin[l];
+    sum.Add(r == kNone ? objective_->Boundary(reference_[l], alpha[l])
+                       : objective_->Interior(reference_[l], reference_[r], alpha[l], alpha[r]));
+  }
+  return sum.Value();
+}
+
+}  // namespace cirque

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/energy/angle_constraints.h"
+#include "cirque/energy/angle_objective.h"
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// The Lagrange dual of an angle fit, a convex function without constraints of the multipliers y of A alpha = b:
+///   f(y) = sum_e g_e((A'y)_e) - b.y,      grad f = A alpha(y) - b,      Hess f = A diag(d alpha / d s) A'
+/// with g_e the objective's conjugate over Q_e. min f = -min of the primal objective; where the constraints are
+/// infeasible f is unbounded below along a Farkas certificate.
+class DualAngleEnergy final : public Energy {
+ public:
+  /// `constraints` and `reference` (3F angles [rad]) must outlive the energy.
+  DualAngleEnergy(const AngleConstraints& constraints, const Eigen::VectorXd& reference,
+                  double epsilon, std::shared_ptr<const AngleObjective> objective);
+
+  int NumParameters() const override { return constraints_.num_rows(); }
+  bool Evaluate(const double* y, double* value, double* gradient) const override;
+  bool Hessian(const double* y, SparseMatrix* lower) const override;
+  std::vector<int> GaugeParameters() const override;
+  double LeastHessianShift() const override { return 1e-9; }
+
+  /// alpha(y): the maximisers of all edges, 3F [rad].
+  Eigen::VectorXd Angles(const double* y) const;
+
+  /// The primal objective sum_e phi_e(alpha).
+  double Primal(const Eigen::VectorXd& alpha) const;
+
+ private:
+  EdgeConjugate Conjugate(Index e, const double* y) const;
+
+  const AngleConstraints& constraints_;
+  const Eigen::VectorXd& reference_;
+  const double epsilon_;
+  const std::shared_ptr<const AngleObjective> objective_;
+};
+
+}  // namespace cirque

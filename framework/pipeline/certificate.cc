@@ -1,0 +1,41 @@
+#include "cirque/pipeline/certificate.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace cirque {
+namespace {
+
+/// JSON has no NaN: what a run did not come to is null.
+nlohmann::ordered_json NumbersToJson(const std::map<std::string, double>& numbers) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : numbers) {
+    json[name] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+  }
+  return json;
+}
+
+nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
+  return {{"epsilon_over_pi", proof.epsilon_over_pi},
+          {"margin", proof.margin},
+          {"carrying_faces", proof.carrying_faces},
+          {"carrying_vertices", proof.carrying_vertices},
+          {"constrained_vertex", proof.constrained_vertex},
+          {"lower_over_pi", proof.lower_over_pi},
+          {"upper_over_pi", proof.upper_over_pi},
+          {"vertex_multiplier", proof.vertex_multiplier},
+          {"face_multiplier", proof.face_multiplier}};
+}
+
+}  // namespace
+
+std::string Certificate::ToJson() const {
+  nlohmann::ordered_json json = {{"outcome", outcome}, {"message", message}};
+  json["overlap"] = overlap;
+  json["values"] = NumbersToJson(values);
+  json["seconds"] = NumbersToJson(seconds);
+  if (!infeasibility.empty()) json["infeasibility"] = ProofToJson(infeasibility);
+  return json.dump(1) + "\n";
+}
+
+}  // namespace cirque

@@ -1,0 +1,98 @@
+#include "cirque/radii/solve_log_radii.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/math/circle_angle.h"
+#include "cirque/math/clausen.h"
+#include "cirque/math/compensated_sum.h"
+#include "cirque/solver/regularization.h"
+#include "cirque/solver/sparse_cholesky.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kAcceptedGradient = 1e-9;
+
+/// The least-squares start; zero when its system cannot be factored (Newton is globalised and starts anywhere).
+Eigen::VectorXd Start(const CirclePatternEnergy& energy) {
+  SparseMatrix lower;
+  Eigen::VectorXd right_side;
+  energy.LeastSquaresStart(&lower, &right_side);
+  const auto cholesky = MakeDefaultCholesky();
+  HessianShift shift(energy);
+  if (!cholesky->Factorize(shift.Apply(lower))) return Eigen::VectorXd::Zero(lower.cols());
+  const Eigen::VectorXd rho = cholesky->Solve(right_side);
+  return rho.allFinite() ? rho : Eigen::VectorXd::Zero(lower.cols());
+}
+
+/// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles attain.
+double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const CornerAngles& flat) {
+  CompensatedSum sum;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index g = t.twin[h];
+    if (g == kNone) continue;
+    sum.Add(2 * Lobachevsky(flat.value[h]));
+    if (h < g) sum.Add(-2 * Lobachevsky(angles.value[h] + angles.value[g]));
+  }
+  return sum.Value();
+}
+
+}  // namespace
+
+double LogRadiiResult::RelativeGap() const {
+  return std::abs(energy - dual_energy) / (1 + std::abs(energy));
+}
+
+Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
+                     const SolverStrategy& strategy, const SolveControl& control,
+                     LogRadiiResult* result) {
+  const CirclePatternEnergy energy(t, angles);
+  Eigen::VectorXd rho = Start(energy);
+  result->solve = strategy.Minimize(energy, control, &rho);
+  rho.array() -= rho.mean();
+  result->log_radii.value = rho;
+  Eigen::VectorXd gradient(rho.size());
+  energy.Evaluate(rho.data(), &result->energy, gradient.data());
+  result->gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  result->dual_energy = DualEnergy(t, angles, FlatCornerAngles(t, angles, result->log_radii));
+  if (result->solve.termination == Termination::kCancelled) {
+    return Status(StatusCode::kCancelled, "log radii: cancelled");
+  }
+  if (!(result->gradient_max <= kAcceptedGradient)) {
+    return Status(StatusCode::kNotConverged,
+                  fmt::format("log radii: gradient {:.2e} rad > {:.0e}: {}", result->gradient_max,
+                              kAcceptedGradient, result->solve.BriefReport()));
+  }
+  return Status();
+}
+
+CornerAngles FlatCornerAngles(const Triangulation& t, const CoherentAngles& angles,
+                              const LogRadii& log_radii) {
+  CornerAngles flat;
+  flat.value.resize(t.num_halfedges());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index g = t.twin[h];
+    const Index i = Triangulation::Face(h), j = g == kNone ? i : Triangulation::Face(g);
+    flat.value[h] = g == kNone ? angles.value[h]
+                               : HalfAngle(log_radii.value[i] - log_radii.value[j],
+                                           kPi - angles.value[h] - angles.value[g]);
+  }
+  return flat;
+}
+
+EdgeLengths FlatEdgeLengths(const Triangulation& t, const CornerAngles& flat,
+                            const LogRadii& log_radii) {
+  EdgeLengths lengths;
+  lengths.value.resize(t.num_edges());
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    lengths.value[e] = 2 * std::exp(log_radii.value[Triangulation::Face(h)]) * std::sin(flat.value[h]);
+  }
+  return lengths;
+}
+
+}  // namespace cirque

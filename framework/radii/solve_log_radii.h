@@ -1,0 +1,35 @@
+#pragma once
+
+#include "cirque/core/metric.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/solver/solver_strategy.h"
+
+namespace cirque {
+
+/// The log radii of a circle pattern and the evidence for them.
+struct LogRadiiResult {
+  LogRadii log_radii;
+  SolveSummary solve;
+  double gradient_max = kUnset;  ///< largest deviation of a face's angle sum from pi, doubled [rad]
+  double energy = kUnset;        ///< S at the solution
+  double dual_energy = kUnset;   ///< Rivin's and Leibon's dual at the same point: equal to S at the minimum
+
+  double RelativeGap() const;
+};
+
+/// Minimises the circle-pattern energy of the coherent angles from the least-squares start (DESIGN 2.2). kNotConverged
+/// when the gradient stays above 1e-9 rad.
+Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
+                     const SolverStrategy& strategy, const SolveControl& control,
+                     LogRadiiResult* result);
+
+/// The corner angles phi of the flat triangles with these radii [rad], 3F, and their edge lengths
+/// 2 e^rho sin(phi), E.
+CornerAngles FlatCornerAngles(const Triangulation& triangulation, const CoherentAngles& angles,
+                              const LogRadii& log_radii);
+EdgeLengths FlatEdgeLengths(const Triangulation& triangulation, const CornerAngles& flat_angles,
+                            const LogRadii& log_radii);
+
+}  // namespace cirque

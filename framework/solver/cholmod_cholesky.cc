@@ -1,0 +1,101 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/cholmod_cholesky.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+
+namespace cirque {
+namespace {
+
+/// A CHOLMOD view of an Eigen matrix: no copy.
+cholmod_sparse View(const SparseMatrix& lower) {
+  cholmod_sparse view = {};
+  view.nrow = static_cast<size_t>(lower.rows());
+  view.ncol = static_cast<size_t>(lower.cols());
+  view.nzmax = static_cast<size_t>(lower.nonZeros());
+  view.p = const_cast<int*>(lower.outerIndexPtr());
+  view.i = const_cast<int*>(lower.innerIndexPtr());
+  view.x = const_cast<double*>(lower.valuePtr());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+cholmod_dense View(const Eigen::VectorXd& vector) {
+  cholmod_dense view = {};
+  view.nrow = view.nzmax = view.d = static_cast<size_t>(vector.size());
+  view.ncol = 1;
+  view.x = const_cast<double*>(vector.data());
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  return view;
+}
+
+class CholmodCholesky final : public SparseCholesky {
+ public:
+  CholmodCholesky() {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_AMD;
+    common_.postorder = 1;
+    common_.final_ll = 1;
+    common_.quick_return_if_not_posdef = 1;
+  }
+
+  ~CholmodCholesky() override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&workspace_, &common_);
+    cholmod_free_dense(&second_workspace_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  CholmodCholesky(const CholmodCholesky&) = delete;
+  CholmodCholesky& operator=(const CholmodCholesky&) = delete;
+
+  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
+    cholmod_dense b = View(right_side);
+    cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &workspace_,
+                   &second_workspace_, &common_);
+    return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x),
+                                             right_side.size());
+  }
+
+ protected:
+  bool Analyze(const SparseMatrix& lower) override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_sparse a = View(lower);
+    factor_ = cholmod_analyze(&a, &common_);
+    return factor_ != nullptr;
+  }
+
+  bool FactorizeNumerically(const SparseMatrix& lower) override {
+    cholmod_sparse a = View(lower);
+    const bool done = cholmod_factorize(&a, factor_, &common_) != 0;
+    return done && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
+  }
+
+ private:
+  cholmod_common common_ = {};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense* solution_ = nullptr;
+  cholmod_dense* workspace_ = nullptr;
+  cholmod_dense* second_workspace_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<SparseCholesky> MakeCholmodCholesky() {
+  return std::make_unique<CholmodCholesky>();
+}
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

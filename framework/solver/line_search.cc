@@ -1,0 +1,83 @@
+#include "cirque/solver/line_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxTrials = 50;
+constexpr double kOvershootSlope = 0.5, kOvershootGradient = 0.9;
+constexpr double kUnchangedSlope = 0.9;  ///< a step that leaves this share of the slope was far too short
+
+class Search {
+ public:
+  Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+         const Eigen::VectorXd& direction, SolveRun* run)
+      : x_(x), direction_(direction), run_(run), slope0_(gradient.dot(direction)),
+        norm0_(gradient.norm()), low_slope_(slope0_) {}
+
+  LineSearchResult Run() {
+    double t = 1;
+    for (int trial = 0; trial < kMaxTrials; ++trial) {
+      LineSearchResult point;
+      if (!EvaluateAt(t, &point)) {
+        high_ = t;
+        t = low_ + 0.5 * (t - low_);
+        continue;
+      }
+      const double slope = point.gradient.dot(direction_);
+      if (slope <= 0) {
+        const bool too_short = high_ == kNoBound && slope < kUnchangedSlope * slope0_;
+        low_ = t, low_slope_ = slope;
+        best_ = std::move(point);
+        if (!too_short) return best_;
+        t *= 2;
+      } else {
+        if (AcceptableOvershoot(slope, point)) return point;
+        if (best_.found) return best_;
+        t = Cut(t, slope);
+      }
+    }
+    return best_;
+  }
+
+ private:
+  static constexpr double kNoBound = -1;
+
+  bool EvaluateAt(double t, LineSearchResult* point) {
+    point->found = true;
+    point->step_length = t;
+    point->x = x_ + t * direction_;
+    return run_->Gradient(point->x, &point->gradient);
+  }
+
+  bool AcceptableOvershoot(double slope, const LineSearchResult& point) const {
+    return slope <= -kOvershootSlope * slope0_ &&
+           point.gradient.norm() <= kOvershootGradient * norm0_;
+  }
+
+  /// The next trial between low_ and t, where the slope turned positive: the secant's zero, kept off the ends.
+  double Cut(double t, double slope) {
+    high_ = t;
+    const double fraction = low_slope_ / (low_slope_ - slope);
+    return low_ + std::clamp(fraction, 0.05, 0.95) * (t - low_);
+  }
+
+  const Eigen::VectorXd& x_;
+  const Eigen::VectorXd& direction_;
+  SolveRun* run_;
+  const double slope0_, norm0_;
+  double low_ = 0, low_slope_, high_ = kNoBound;
+  LineSearchResult best_;
+};
+
+}  // namespace
+
+LineSearchResult SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                             const Eigen::VectorXd& direction, SolveRun* run) {
+  return Search(x, gradient, direction, run).Run();
+}
+
+}  // namespace cirque

@@ -1,0 +1,21 @@
+#include "cirque/solver/newton_strategy.h"
+#include "cirque/solver/solver_strategy.h"
+
+namespace cirque {
+
+const Registry<SolverStrategyFactory>& SolverStrategies() {
+  static const Registry<SolverStrategyFactory> table(
+      "solver strategy", {
+                             {"newton", FactoryOf<NewtonStrategy>(NewtonOptionTable())},
+                         });
+  return table;
+}
+
+StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
+                                                                   const OptionMap& options) {
+  const auto factory = SolverStrategies().Find(name);
+  if (!factory.ok()) return factory.status();
+  return (*factory)(options);
+}
+
+}  // namespace cirque

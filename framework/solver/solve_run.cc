@@ -1,0 +1,93 @@
+#include "cirque/solver/solve_run.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace cirque {
+
+SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
+                   const Energy& energy)
+    : limits_(limits), control_(control), energy_(energy) {
+  summary_.strategy = std::move(strategy);
+}
+
+bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
+  const Timer timer;
+  gradient->resize(x.size());
+  const bool defined = energy_.Gradient(x.data(), gradient->data()) && gradient->allFinite();
+  ++summary_.gradient_evaluations;
+  summary_.evaluation_seconds += timer.Seconds();
+  return defined;
+}
+
+bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
+  const Timer timer;
+  const bool defined = energy_.Hessian(x.data(), lower);
+  ++summary_.hessian_evaluations;
+  summary_.evaluation_seconds += timer.Seconds();
+  return defined;
+}
+
+bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
+  gradient->resize(x.size());
+  ++summary_.value_evaluations;
+  ++summary_.gradient_evaluations;
+  if (!energy_.Evaluate(x.data(), &summary_.initial_value, gradient->data()) ||
+      !gradient->allFinite()) {
+    End(Termination::kInvalidStart, "the start lies outside the energy's domain");
+    return false;
+  }
+  summary_.initial_gradient_max = gradient->lpNorm<Eigen::Infinity>();
+  return true;
+}
+
+bool SolveRun::Continue(const Eigen::VectorXd& gradient) {
+  if (summary_.termination != Termination::kNotRun) return false;
+  const double gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  summary_.final_gradient_max = gradient_max;
+  if (gradient_max <= limits_.gradient_tolerance) {
+    End(Termination::kConverged,
+        fmt::format("gradient {:.2e} <= {:.2e}", gradient_max, limits_.gradient_tolerance));
+  } else if (control_.cancelled && control_.cancelled->load()) {
+    End(Termination::kCancelled, "cancelled by the caller");
+  } else if (summary_.num_iterations() >= limits_.max_iterations) {
+    End(Termination::kIterationLimit, fmt::format("{} iterations", limits_.max_iterations));
+  } else if (timer_.Seconds() > limits_.max_seconds) {
+    End(Termination::kTimeLimit, fmt::format("{} s", limits_.max_seconds));
+  }
+  return summary_.termination == Termination::kNotRun;
+}
+
+bool SolveRun::Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                      double step_length) {
+  IterationRecord record;
+  record.iteration = summary_.num_iterations() + 1;
+  record.gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  record.step_length = step_length;
+  record.seconds = timer_.Seconds();
+  summary_.iterations.push_back(record);
+  summary_.x_changed = true;
+  if (control_.callback && control_.callback(record, x) == CallbackAction::kStop) {
+    summary_.final_gradient_max = record.gradient_max;
+    End(Termination::kStoppedByCaller, "the iteration callback asked to stop");
+    return false;
+  }
+  return true;
+}
+
+void SolveRun::End(Termination termination, std::string message) {
+  summary_.termination = termination;
+  summary_.message = std::move(message);
+}
+
+SolveSummary SolveRun::Finish(const Eigen::VectorXd& x) {
+  if (summary_.termination != Termination::kInvalidStart) {
+    ++summary_.value_evaluations;
+    energy_.Evaluate(x.data(), &summary_.final_value, nullptr);
+  }
+  summary_.total_seconds = timer_.Seconds();
+  return std::move(summary_);
+}
+
+}  // namespace cirque

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/core/timer.h"
+#include "cirque/solver/solver_strategy.h"
+
+namespace cirque {
+
+/// The bookkeeping of one solve by an iteration of our own: counts and times evaluations, keeps the records, asks
+/// the callback, and knows when to end.
+class SolveRun {
+ public:
+  SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
+           const Energy& energy);
+
+  bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
+  bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
+
+  /// Evaluates value and gradient at the start. False (and ended as kInvalidStart) outside the domain.
+  bool Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
+
+  /// Whether another step is due at this gradient; otherwise the termination is set.
+  bool Continue(const Eigen::VectorXd& gradient);
+
+  /// Records an accepted step. False when the callback ended the solve.
+  bool Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length);
+
+  /// Ends the solve for a reason of the strategy's own.
+  void End(Termination termination, std::string message);
+
+  /// The summary, with the final value at x.
+  SolveSummary Finish(const Eigen::VectorXd& x);
+
+  SolveSummary& summary() { return summary_; }
+  const Energy& energy() const { return energy_; }
+
+ private:
+  const SolverLimits limits_;
+  const SolveControl& control_;
+  const Energy& energy_;
+  Timer timer_;
+  SolveSummary summary_;
+};
+
+}  // namespace cirque

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cirque/core/option_table.h"
+#include "cirque/core/registry.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// Limits that every strategy understands; each strategy's own options struct begins with them.
+struct SolverLimits {
+  int max_iterations = 100;
+  double gradient_tolerance = 1e-11;  ///< converged when max_i |dE/dx_i| <= gradient_tolerance
+  double max_seconds = 1e9;
+};
+
+/// A way to minimise any Energy that offers the form it needs.
+class SolverStrategy {
+ public:
+  virtual ~SolverStrategy() = default;
+
+  /// Minimises `energy` from *x. The summary's termination says what *x then holds.
+  virtual SolveSummary Minimize(const Energy& energy, const SolveControl& control,
+                                Eigen::VectorXd* x) const = 0;
+};
+
+using SolverStrategyFactory =
+    std::function<StatusOr<std::shared_ptr<const SolverStrategy>>(const OptionMap&)>;
+
+/// The table of strategies, one line an entry in registry.cc.
+const Registry<SolverStrategyFactory>& SolverStrategies();
+
+/// The strategy of that name with those options; errors name the option, its value and its bound.
+StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
+                                                                   const OptionMap& options = {});
+
+/// The three fields of SolverLimits, for the table of an options struct that derives from it.
+template <class T>
+std::vector<typename OptionTable<T>::Field> LimitFields() {
+  constexpr double kMany = std::numeric_limits<int>::max();
+  return {{"max_iterations", &T::max_iterations, 0, kMany, {}, "accepted steps"},
+          {"gradient_tolerance", &T::gradient_tolerance, 0, 1, {}, "largest |dE/dx_i| at the end"},
+          {"max_seconds", &T::max_seconds, 0, 1e9, {}, "wall time"}};
+}
+
+/// A factory whose strategy type S is constructed from its options struct O, read through `table`.
+template <class S, class O>
+SolverStrategyFactory FactoryOf(const OptionTable<O>& table) {
+  return [table](const OptionMap& map) -> StatusOr<std::shared_ptr<const SolverStrategy>> {
+    O options;
+    if (Status status = table.Set(map, &options); !status.ok()) return status;
+    return std::shared_ptr<const SolverStrategy>(std::make_shared<S>(options));
+  };
+}
+
+}  // namespace cirque

@@ -1,0 +1,46 @@
+#include "cirque/solver/sparse_cholesky.h"
+
+#include <algorithm>
+
+#include "cirque/solver/cholmod_cholesky.h"
+#include "cirque/solver/eigen_cholesky.h"
+
+namespace cirque {
+
+bool SparseCholesky::Factorize(const SparseMatrix& lower) {
+  if (!SamePatternAsBefore(lower)) {
+    ++symbolic_analyses_;
+    column_starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+    row_indices_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+    if (!Analyze(lower)) {
+      column_starts_.clear();
+      return false;
+    }
+  }
+  ++factorizations_;
+  return FactorizeNumerically(lower);
+}
+
+bool SparseCholesky::SamePatternAsBefore(const SparseMatrix& lower) const {
+  return static_cast<int>(column_starts_.size()) == lower.cols() + 1 &&
+         static_cast<int>(row_indices_.size()) == lower.nonZeros() &&
+         std::equal(column_starts_.begin(), column_starts_.end(), lower.outerIndexPtr()) &&
+         std::equal(row_indices_.begin(), row_indices_.end(), lower.innerIndexPtr());
+}
+
+const Registry<SparseCholeskyFactory>& LinearSolvers() {
+  static const Registry<SparseCholeskyFactory> table("linear solver",
+                                                     {
+#ifdef CIRQUE_CHOLMOD
+                                                         {"cholmod", MakeCholmodCholesky},
+#endif
+                                                         {"eigen", MakeEigenCholesky},
+                                                     });
+  return table;
+}
+
+std::unique_ptr<SparseCholesky> MakeDefaultCholesky() {
+  return (*LinearSolvers().Find(LinearSolvers().Names().front()))();
+}
+
+}  // namespace cirque

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "cirque/core/registry.h"
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// Factors symmetric positive definite matrices given by their lower triangle and solves with the factor. A matrix
+/// with the pattern of the one before reuses its symbolic analysis.
+class SparseCholesky {
+ public:
+  virtual ~SparseCholesky() = default;
+
+  /// False when the matrix is not positive definite in floating point (or memory ran out).
+  bool Factorize(const SparseMatrix& lower);
+
+  /// x = A^-1 b with the last factor. @pre Factorize returned true.
+  virtual Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) = 0;
+
+  int symbolic_analyses() const { return symbolic_analyses_; }
+  int factorizations() const { return factorizations_; }
+
+ protected:
+  virtual bool Analyze(const SparseMatrix& lower) = 0;
+  virtual bool FactorizeNumerically(const SparseMatrix& lower) = 0;
+
+ private:
+  bool SamePatternAsBefore(const SparseMatrix& lower) const;
+
+  std::vector<int> column_starts_, row_indices_;
+  int symbolic_analyses_ = 0, factorizations_ = 0;
+};
+
+using SparseCholeskyFactory = std::function<std::unique_ptr<SparseCholesky>()>;
+
+/// `cholmod` (when built with it) and `eigen`; the first is the default.
+const Registry<SparseCholeskyFactory>& LinearSolvers();
+
+/// The first entry of LinearSolvers().
+std::unique_ptr<SparseCholesky> MakeDefaultCholesky();
+
+}  // namespace cirque
