@@ -1,0 +1,140 @@
+# Sourced by experiments/run, tests/run and .ci/run: from a bare Debian 12 to a built preset.
+# shellcheck shell=bash
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+packages=$project/framework/cmake/packages.txt
+
+say() { printf '%s\n' "$*" >&2; }
+
+die() {
+  say "$@"
+  exit 1
+}
+
+# step NAME COMMAND...: shows the command's output on a terminal. In a pipe it prints NAME alone,
+# and the output only if the command fails.
+step() {
+  local name=$1 log
+  shift
+  if [[ -t 2 ]]; then
+    say "$name"
+    "$@" >&2
+    return
+  fi
+  log=$(mktemp)
+  say "$name"
+  local status=0
+  "$@" > "$log" 2>&1 || status=$?
+  if ((status)); then cat "$log" >&2; fi
+  rm -f "$log"
+  return "$status"
+}
+
+# The packages of the given lists that are not installed, one a line.
+missing_packages() {
+  local wanted installed
+  wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
+  # shellcheck disable=SC2086
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2> /dev/null |
+    sed -n 's/ installed$//p' | sort -u)
+  comm -23 <(printf '%s\n' "$wanted") <(printf '%s\n' "$installed")
+}
+
+# Prints the prefix that makes a command run as root; fails when there is none.
+root_prefix() {
+  if ((EUID == 0)); then return; fi
+  command -v sudo > /dev/null || return 1
+  # Without a terminal sudo cannot ask for a password.
+  if [[ -t 0 ]] || sudo -n true 2> /dev/null; then
+    printf 'sudo'
+    return
+  fi
+  return 1
+}
+
+apt_install() {
+  local prefix=$1
+  shift
+  local -a apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  # Without an update a fresh system knows no packages; without a network the lists at hand may do.
+  $prefix "${apt[@]}" update || say "apt-get update failed; trying with the lists at hand"
+  $prefix "${apt[@]}" install -y --no-install-recommends "$@"
+}
+
+# install_packages LIST...: installs what is missing from the lists.
+install_packages() {
+  if ! command -v dpkg-query > /dev/null; then
+    say "not a Debian system: the libraries of $packages must be there already"
+    return
+  fi
+  local -a missing
+  mapfile -t missing < <(missing_packages "$@")
+  if ((${#missing[@]} == 0)); then return; fi
+  local prefix
+  prefix=$(root_prefix) || die "These packages are missing, and installing them takes root" \
+    "or sudo. Ask an administrator to run:"$'\n'"  apt-get install --no-install-recommends ${missing[*]}"
+  step "installing with apt-get: ${missing[*]}" apt_install "$prefix" "${missing[@]}" < /dev/null ||
+    die "apt-get could not install: ${missing[*]}"
+  # What cmake looked for in vain is there now.
+  rm -f "$project"/build/*/CMakeCache.txt
+}
+
+# The memory [MiB] that may be used, by the machine's and by the container's limit.
+free_memory() {
+  local limit used free
+  free=$(awk '/^MemAvailable/ { print int($2 / 1024) }' /proc/meminfo)
+  if read -r limit 2> /dev/null < /sys/fs/cgroup/memory.max && [[ $limit != max ]]; then
+    read -r used < /sys/fs/cgroup/memory.current
+    limit=$(((limit - used) / 1048576))
+    if ((limit < free)); then free=$limit; fi
+  fi
+  printf '%s' "$free"
+}
+
+# Compilers to run side by side: as many as there are cores and, at 1500 MiB each, memory.
+build_jobs() {
+  local jobs limit
+  jobs=$(nproc)
+  limit=$(($(free_memory) / 1500))
+  if ((limit < jobs)); then jobs=$limit; fi
+  printf '%s' $((jobs > 1 ? jobs : 1))
+}
+
+# configure PRESET [cmake flags]: only when there is nothing yet, or what there is belongs to other
+# presets or to another place; ninja sees to every other change.
+configure() {
+  local preset=$1
+  shift
+  local folder=$project/build/$preset
+  local home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$folder/CMakeCache.txt" 2> /dev/null) || true
+  if [[ $home == "$project" && $folder/build.ninja -nt $project/CMakePresets.json && $# == 0 ]]; then
+    return
+  fi
+  local fresh=
+  if [[ $home != "$project" ]]; then fresh=--fresh; fi
+  (cd "$project" && step "configuring build/$preset" cmake --preset "$preset" $fresh "$@") ||
+    die "cmake could not configure build/$preset"
+}
+
+# build PRESET TARGET...
+build() {
+  local preset=$1
+  shift
+  export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(build_jobs)}
+  # Paths relative to the project let ccache serve every checkout.
+  export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
+  step "building build/$preset" cmake --build "$project/build/$preset" --target "$@" ||
+    die "build/$preset could not be built"
+}
+
+# run_ctest PRESET [ctest flags]: every test of a build. In a pipe the tests that pass go unnamed.
+run_ctest() {
+  local -a ctest=(ctest --test-dir "$project/build/$1" -j "$(nproc)" --output-on-failure "${@:2}")
+  say "testing build/$1"
+  if [[ -t 1 ]]; then
+    "${ctest[@]}" --progress
+  else
+    "${ctest[@]}" | grep --line-buffered -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed '
+  fi
+}

@@ -1,0 +1,104 @@
+// The tree obeys the structure that DESIGN fixes, and the checker sees what breaks it.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/common/paths.h"
+#include "tests/structure/rules.h"
+
+namespace cirque {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string ReadAll(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(Structure, EveryFileObeysTheRules) {
+  const std::vector<std::string> files = SourceFiles(ProjectPath("."));
+  ASSERT_THAT(files, testing::Contains("framework/core/status.h"));
+  for (const std::string& file : files) {
+    EXPECT_THAT(Violations(file, ReadAll(ProjectPath(file))), IsEmpty());
+  }
+}
+
+TEST(Structure, TopLevelIsTheDesigns) {
+  const std::set<std::string> allowed = {
+      "CMakeLists.txt", "framework", "experiments",       "configs", "bench",       "tests",
+      "results",        "README.md", "CMakePresets.json", "LICENSE", "CHANGELOG.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(ProjectPath("."))) {
+    const std::string name = entry.path().filename();
+    const bool is_free = name.starts_with(".") || name.starts_with("build");
+    EXPECT_TRUE(is_free || allowed.contains(name)) << name << " is not of DESIGN's top level";
+  }
+}
+
+TEST(StructureRules, IncludesPointDown) {
+  EXPECT_THAT(Violations("framework/mesh/a.cc", "#include \"cirque/core/status.h\"\n"), IsEmpty());
+  EXPECT_THAT(Violations("framework/mesh/a.cc", "\n#include \"cirque/solver/newton.h\"\n"),
+              ElementsAre("framework/mesh/a.cc:2: mesh includes solver, which lies above it"));
+  EXPECT_THAT(Violations("framework/cuts/a.cc", "#  include <cirque/layout/b.h>\n"),
+              ElementsAre("framework/cuts/a.cc:1: cuts includes its sibling layout"));
+  EXPECT_THAT(Violations("framework/energy/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
+              ElementsAre("framework/energy/a.cc:1: energy includes mesh"));
+  EXPECT_THAT(Violations("framework/solver/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
+              ElementsAre("framework/solver/a.cc:1: solver includes mesh"));
+  EXPECT_EQ(Violations("framework/core/a.cc", "#include \"cirque/extra/b.h\"\n").size(), 1u);
+  EXPECT_EQ(Violations("framework/extra/a.cc", "#include \"cirque/core/b.h\"\n").size(), 1u);
+}
+
+TEST(StructureRules, NobodyIncludesALeaf) {
+  EXPECT_EQ(Violations("framework/core/a.cc", "#include \"tests/common/paths.h\"\n").size(), 1u);
+  EXPECT_EQ(Violations("bench/a.cc", "#include \"experiments/common/b.h\"\n").size(), 1u);
+  EXPECT_EQ(Violations("experiments/one/a.cc", "#include \"experiments/two/b.h\"\n").size(), 1u);
+  EXPECT_THAT(Violations("experiments/one/a.cc", "#include \"experiments/common/b.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(Violations("tests/one/a.cc", "#include \"experiments/two/b.h\"\n"), IsEmpty());
+}
+
+TEST(StructureRules, OnlyMeshKnowsOpenMesh) {
+  const std::string include = "#include <OpenMesh/Core/IO/MeshIO.hh>\n";
+  EXPECT_THAT(Violations("framework/mesh/a.cc", include), IsEmpty());
+  EXPECT_EQ(Violations("framework/pipeline/a.cc", include).size(), 1u);
+  EXPECT_EQ(Violations("experiments/one/a.cc", include).size(), 1u);
+}
+
+TEST(StructureRules, TheFrameworkDoesNotPrint) {
+  for (const std::string line : {"#include <iostream>\n", "  std::cout << 1;\n", "printf(\"\");\n",
+                                 "std::fprintf(stderr, \"\");\n", "fmt::print(\"{}\", 1);\n"}) {
+    EXPECT_EQ(Violations("framework/core/a.cc", line).size(), 1u) << line;
+    EXPECT_THAT(Violations("experiments/one/a.cc", line), IsEmpty()) << line;
+  }
+  EXPECT_THAT(Violations("framework/core/a.cc", "std::snprintf(buffer, 9, \"\");\n"), IsEmpty());
+}
+
+TEST(StructureRules, DeferredWorkLengthAndGuardsAreSeen) {
+  for (const std::string word : {"TO"
+                                 "DO",
+                                 "FIX"
+                                 "ME"}) {
+    EXPECT_EQ(Violations("tests/a.cc", "// " + word + ": later\n").size(), 1u);
+  }
+  std::string lines;
+  for (int i = 0; i < 500; ++i) lines += "\n";
+  EXPECT_THAT(Violations("tests/a.cc", lines), IsEmpty());
+  EXPECT_THAT(Violations("tests/a.cc", lines + "\n"),
+              ElementsAre("tests/a.cc:501: longer than 500 lines"));
+  EXPECT_EQ(Violations("tests/a.h", "int F();\n").size(), 1u);
+  EXPECT_THAT(Violations("tests/a.h", "#pragma once\n"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace cirque

@@ -1,0 +1,143 @@
+#include "tests/structure/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace cirque {
+namespace {
+
+constexpr int kMostLines = 500;
+
+// The floor of a folder of framework/; folders of one floor are siblings.
+std::optional<int> Floor(const std::string& folder) {
+  static const std::map<std::string, int> kFloors = {
+      {"core", 0},  {"math", 1}, {"mesh", 2},   {"energy", 3},  {"solver", 4},  {"angles", 5},
+      {"cones", 5}, {"cuts", 5}, {"layout", 5}, {"metrics", 5}, {"pipeline", 6}};
+  const auto found = kFloors.find(folder);
+  if (found == kFloors.end()) return std::nullopt;
+  return found->second;
+}
+
+// The first and second component of a path, empty where there is none.
+std::array<std::string, 2> Head(const std::string& path) {
+  std::array<std::string, 2> head;
+  std::istringstream stream(path);
+  for (std::string& part : head) std::getline(stream, part, '/');
+  return head;
+}
+
+// Numerics see arrays only: these two never include mesh, though it lies below them.
+bool IsMeshFree(const std::string& folder) { return folder == "energy" || folder == "solver"; }
+
+// Why a file of framework/`folder` must not include "cirque/`target`/..."; empty when it may.
+std::string FloorFault(const std::string& folder, const std::string& target) {
+  const auto from = Floor(folder);
+  const auto to = Floor(target);
+  if (!from) return fmt::format("folder '{}' has no floor in the design", folder);
+  if (!to) return fmt::format("includes '{}', which has no floor in the design", target);
+  if (folder == target) return "";
+  if (*to > *from) return fmt::format("{} includes {}, which lies above it", folder, target);
+  if (*to == *from) return fmt::format("{} includes its sibling {}", folder, target);
+  if (target == "mesh" && IsMeshFree(folder)) return folder + " includes mesh";
+  return "";
+}
+
+// Why a leaf (experiments, bench, tests) must not include `target`, a path from the top.
+std::string LeafFault(const std::string& path, const std::string& target) {
+  const auto [leaf, folder] = Head(path);
+  const auto [target_leaf, target_folder] = Head(target);
+  if (leaf == "tests" || leaf == target_leaf) {
+    const bool is_other_program =
+        leaf == "experiments" && target_folder != folder && target_folder != "common";
+    return is_other_program ? fmt::format("program {} includes program {}", folder, target_folder)
+                            : "";
+  }
+  return fmt::format("{} includes {}, a leaf", leaf, target_leaf);
+}
+
+bool IsLeaf(const std::string& folder) {
+  return folder == "experiments" || folder == "bench" || folder == "tests";
+}
+
+std::string IncludeFault(const std::string& path, const std::string& line) {
+  static const std::regex kInclude(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  std::smatch match;
+  if (!std::regex_search(line, match, kInclude)) return "";
+  const std::string target = match[1];
+  const auto [top, folder] = Head(path);
+  const auto [target_top, target_folder] = Head(target);
+  if (target_top == "OpenMesh" && !path.starts_with("framework/mesh/")) {
+    return "OpenMesh is known to framework/mesh only";
+  }
+  if (top == "framework" && target == "iostream") return "the framework does not print";
+  if (top == "framework" && target_top == "cirque") return FloorFault(folder, target_folder);
+  if (IsLeaf(target_top)) return LeafFault(path, target);
+  return "";
+}
+
+// Faults of a line of C++ wherever it stands.
+std::string LineFault(const std::string& path, const std::string& line) {
+  static const std::regex kPrints(
+      R"re(\b(f?printf|f?puts|putchar|fmt::print)\s*\(|std::(cout|cerr|clog)\b)re");
+  // Spelt apart so that this line obeys itself.
+  static const std::regex kDeferred(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X|HA"
+      "CK)\\b");
+  if (std::regex_search(line, kDeferred)) return "work is deferred in a comment";
+  if (path.starts_with("framework/") && std::regex_search(line, kPrints)) {
+    return "the framework does not print";
+  }
+  return IncludeFault(path, line);
+}
+
+bool IsSource(const std::filesystem::path& path) {
+  static constexpr std::array<std::string_view, 4> kExtensions = {".h", ".cc", ".cmake", ".sh"};
+  return path.filename() == "CMakeLists.txt" ||
+         std::find(kExtensions.begin(), kExtensions.end(), path.extension()) != kExtensions.end();
+}
+
+}  // namespace
+
+std::vector<std::string> Violations(const std::string& path, const std::string& text) {
+  std::vector<std::string> violations;
+  std::istringstream stream(text);
+  std::string line;
+  int count = 0;
+  while (std::getline(stream, line)) {
+    ++count;
+    const std::string fault = LineFault(path, line);
+    if (!fault.empty()) violations.push_back(fmt::format("{}:{}: {}", path, count, fault));
+  }
+  if (count > kMostLines) {
+    violations.push_back(fmt::format("{}:{}: longer than {} lines", path, count, kMostLines));
+  }
+  if (path.ends_with(".h") && !text.starts_with("#pragma once\n")) {
+    violations.push_back(path + ":1: a header begins with #pragma once");
+  }
+  return violations;
+}
+
+std::vector<std::string> SourceFiles(const std::string& project) {
+  std::vector<std::string> files;
+  for (const char* folder : {"framework", "experiments", "bench", "tests"}) {
+    const std::filesystem::path top = std::filesystem::path(project) / folder;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+      if (!entry.is_regular_file() || !IsSource(entry.path())) continue;
+      files.push_back(std::filesystem::relative(entry.path(), project).string());
+    }
+  }
+  return files;
+}
+
+}  // namespace cirque
