@@ -1,0 +1,21 @@
+#pragma once
+
+namespace cirque {
+
+/// The two triangles at an edge, seen from their circumcentres. Circles of radii e^{rho_i} and
+/// e^{rho_j} meet under the exterior angle theta in (0, pi); d = rho_i - rho_j, theta* = pi -
+/// theta. Everything here is free of overflow for |d| up to 1e4 and beyond, theta from 1e-12 to pi
+/// - 1e-12. Source: Bobenko, Springborn, Variational principles for circle patterns, Trans. AMS 356
+/// (2004).
+
+/// Half the angle [rad] under which face i sees the edge,
+///   phi = atan2(sin theta, e^d - cos theta) = theta*/2 - atan(tanh(d/2) tan(theta*/2)),
+/// which is also the corner angle opposite the edge. Relative error a few ulp, in the far tail
+/// phi ~ e^{-d} sin theta too. HalfAngle(d, theta) + HalfAngle(-d, theta) = theta*.
+double HalfAngle(double d, double theta);
+
+/// -2 dphi/dd = sin theta / (cosh d - cos theta): the weight of the edge in the Hessian of the
+/// circle-pattern energy. Positive until it underflows; relative error a few ulp.
+double HalfAngleWeight(double d, double theta);
+
+}  // namespace cirque
