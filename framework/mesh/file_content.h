@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/core/status.h"
+
+namespace cirque {
+
+/// The bytes of a file (or pipe). Errors name the path and the system's reason.
+StatusOr<std::string> ReadFileContent(const std::string& path);
+
+}  // namespace cirque

@@ -1,0 +1,102 @@
+#include "cirque/mesh/gluing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cirque/core/triangulation.h"
+#include "cirque/mesh/counting_sort.h"
+#include "cirque/mesh/disjoint_sets.h"
+
+namespace cirque {
+namespace {
+
+/// The end points of every halfedge, the smaller first.
+struct EndPoints {
+  std::vector<Index> low, high;
+
+  bool Equal(Index h, Index g) const { return low[h] == low[g] && high[h] == high[g]; }
+};
+
+EndPoints CollectEndPoints(const std::vector<Index>& triangles) {
+  EndPoints ends;
+  ends.low.reserve(triangles.size());
+  ends.high.reserve(triangles.size());
+  for (Index h = 0; h < static_cast<Index>(triangles.size()); ++h) {
+    const auto [low, high] =
+        std::minmax(triangles[Triangulation::Next(h)], triangles[Triangulation::Prev(h)]);
+    ends.low.push_back(low);
+    ends.high.push_back(high);
+  }
+  return ends;
+}
+
+/// The halfedges without a mate, those with equal end points one behind the other: two stable
+/// counting sorts.
+std::vector<Index> SortByEndPoints(const EndPoints& ends, const std::vector<Index>& mate,
+                                   Index num_vertices) {
+  std::vector<Index> single;
+  for (Index h = 0; h < static_cast<Index>(mate.size()); ++h) {
+    if (mate[h] == kNone) single.push_back(h);
+  }
+  const std::vector<Index> by_high = SortIntoBuckets(ends.high, num_vertices, single).item;
+  return SortIntoBuckets(ends.low, num_vertices, by_high).item;
+}
+
+}  // namespace
+
+Gluing GlueEdges(const std::vector<Index>& triangles, Index num_vertices, std::vector<Index> mate) {
+  const EndPoints ends = CollectEndPoints(triangles);
+  const std::vector<Index> sorted = SortByEndPoints(ends, mate, num_vertices);
+  Gluing gluing;
+  gluing.num_edges = static_cast<Index>(mate.size() - sorted.size()) / 2;
+  gluing.mate = std::move(mate);
+  gluing.on_boundary.assign(triangles.size(), false);
+  for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+    const Index h = sorted[first];
+    while (last < sorted.size() && ends.Equal(h, sorted[last])) ++last;
+    ++gluing.num_edges;
+    if (last - first == 1) gluing.on_boundary[h] = true;
+    if (last - first > 2) gluing.non_manifold_edges.emplace_back(ends.low[h], ends.high[h]);
+    if (last - first != 2) continue;
+    gluing.mate[h] = sorted[first + 1];
+    gluing.mate[sorted[first + 1]] = h;
+  }
+  return gluing;
+}
+
+std::vector<Index> CornerFans(const std::vector<Index>& triangles, const Gluing& gluing) {
+  const Index num_corners = static_cast<Index>(triangles.size());
+  DisjointSets fans(num_corners);
+  for (Index h = 0; h < num_corners; ++h) {
+    const Index g = gluing.mate[h];
+    if (g == kNone || g < h) continue;
+    const Index ends[2] = {Triangulation::Next(h), Triangulation::Prev(h)};
+    const bool opposite = triangles[ends[0]] != triangles[Triangulation::Next(g)];
+    fans.Unite(ends[0], opposite ? Triangulation::Prev(g) : Triangulation::Next(g));
+    fans.Unite(ends[1], opposite ? Triangulation::Next(g) : Triangulation::Prev(g));
+  }
+  std::vector<Index> fan(num_corners);
+  for (Index h = 0; h < num_corners; ++h) fan[h] = fans.Find(h);
+  return fan;
+}
+
+Index CountBoundaryLoops(const std::vector<Index>& fan, const Gluing& gluing) {
+  const Index num_halfedges = static_cast<Index>(fan.size());
+  DisjointSets loops(num_halfedges);
+  std::vector<Index> boundary_edge_at(num_halfedges, kNone);  // per fan
+  for (Index h = 0; h < num_halfedges; ++h) {
+    if (!gluing.on_boundary[h]) continue;
+    for (const Index corner : {Triangulation::Next(h), Triangulation::Prev(h)}) {
+      Index& other = boundary_edge_at[fan[corner]];
+      if (other != kNone) loops.Unite(h, other);
+      other = h;
+    }
+  }
+  Index count = 0;
+  for (Index h = 0; h < num_halfedges; ++h) {
+    if (gluing.on_boundary[h] && loops.Find(h) == h) ++count;
+  }
+  return count;
+}
+
+}  // namespace cirque
