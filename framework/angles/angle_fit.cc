@@ -1,9 +1,9 @@
 #include "cirque/angles/angle_fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/text.h"
@@ -15,8 +15,8 @@ namespace {
 constexpr double kAcceptedGradient = 1e-9;
 constexpr double kLeastEpsilon = 1e-8;
 
-/// Watches the dual's iterates for a proof of infeasibility: where none exists they run off along one, so both
-/// the iterate and its last step are candidates.
+/// Watches the dual's iterates for a proof of infeasibility: where none exists they run off along
+/// one, so both the iterate and its last step are candidates.
 class InfeasibilityWatch {
  public:
   InfeasibilityWatch(const AngleFitProblem& problem, const SolveControl& outer)
@@ -56,11 +56,12 @@ void CloseTriangles(Eigen::VectorXd* alpha) {
 }
 
 std::string InfeasibleMessage(const InfeasibilityProof& proof) {
-  const std::string margin = proof.epsilon_over_pi == 0
-                                 ? std::string()
-                                 : fmt::format(" with margin {:.1e} rad", proof.epsilon_over_pi * kPi);
+  const std::string margin = proof.epsilon_over_pi == 0 ? std::string()
+                                                        : fmt::format(" with margin {:.1e} rad",
+                                                                      proof.epsilon_over_pi * kPi);
   return fmt::format(
-      "no coherent angles{} exist: proven by multipliers largest at faces {} and vertices {} (0-based); "
+      "no coherent angles{} exist: proven by multipliers largest at faces {} and vertices {} "
+      "(0-based); "
       "allow cones there, or flip to the intrinsic Delaunay triangulation",
       margin, IdList(proof.carrying_faces), IdList(proof.carrying_vertices));
 }

@@ -9,8 +9,9 @@
 namespace cirque {
 namespace {
 
-constexpr int kMaxDenominator = 12;      ///< of the integer multiples that are tried
-constexpr double kSafety = 1e-9;         ///< share of sum |terms| that the margin must exceed: far above rounding
+constexpr int kMaxDenominator = 12;  ///< of the integer multiples that are tried
+constexpr double kSafety =
+    1e-9;  ///< share of sum |terms| that the margin must exceed: far above rounding
 constexpr int kMaxCarriers = 50;
 
 /// max of p a + q b over the triangle with corners (eps, eps), (1 - 2 eps, eps), (eps, 1 - 2 eps).
@@ -40,15 +41,15 @@ Margin ComputeMargin(const AngleConstraints& constraints, double epsilon,
   }
   for (const Index h : t.edge_halfedge) {
     const double p = constraints.Slope(y.data(), h);
-    add(t.twin[h] == kNone
-            ? -SupportOfInterval(p, eps)
-            : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps));
+    add(t.twin[h] == kNone ? -SupportOfInterval(p, eps)
+                           : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps));
   }
   margin.value = sum.Value();
   return margin;
 }
 
-/// The ids of the entries with the largest absolute values, those within a thousandth of the largest.
+/// The ids of the entries with the largest absolute values, those within a thousandth of the
+/// largest.
 std::vector<Index> Carriers(const Eigen::VectorXd& multipliers, const std::vector<Index>& ids) {
   std::vector<Index> order(multipliers.size());
   std::iota(order.begin(), order.end(), 0);
@@ -85,13 +86,15 @@ InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon
   return proof;
 }
 
-/// At margin 0 the inequality may hold with equality (the conditions are open), which only exact multipliers show.
+/// At margin 0 the inequality may hold with equality (the conditions are open), which only exact
+/// multipliers show.
 InfeasibilityProof ProveWithIntegers(const AngleConstraints& constraints,
                                      const Eigen::VectorXd& unit) {
   for (int denominator = 1; denominator <= kMaxDenominator; ++denominator) {
     const Eigen::VectorXd y = (unit * denominator).array().round().matrix();
     const Margin margin = ComputeMargin(constraints, 0, y);
-    // Multiples of pi / k as targets are the rule; they and integers leave errors of a few ulp of the whole sum.
+    // Multiples of pi / k as targets are the rule; they and integers leave errors of a few ulp of
+    // the whole sum.
     if (margin.value >= -1e-13 * margin.magnitude && margin.magnitude > 0 &&
         InfeasibilityMargin(constraints, 1e-6, y) > 0) {
       return MakeProof(constraints, 0, y, std::max(0.0, margin.value));

@@ -15,8 +15,8 @@ KktReport CheckFeasibility(const AngleConstraints& constraints, const Eigen::Vec
   for (int row = 0; row < constraints.num_rows(); ++row) {
     const double outside =
         std::max({0.0, constraints.Lower(row) - sums[row], sums[row] - constraints.Upper(row)});
-    double& residual = row < constraints.num_faces() ? report.triangle_sum_residual
-                                                     : report.vertex_sum_residual;
+    double& residual =
+        row < constraints.num_faces() ? report.triangle_sum_residual : report.vertex_sum_residual;
     residual = std::max(residual, outside);
   }
   report.smallest_angle = alpha.minCoeff();

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <map>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "cirque/core/status.h"
 #include "cirque/core/text.h"
@@ -17,8 +17,8 @@ namespace cirque {
 /// Options by name, as a config or a command line gives them.
 using OptionMap = std::map<std::string, std::string>;
 
-/// The fields of an options struct T by name, with their bounds and their meaning: one table from which options are
-/// set, validated and documented.
+/// The fields of an options struct T by name, with their bounds and their meaning: one table from
+/// which options are set, validated and documented.
 template <class T>
 class OptionTable {
  public:
@@ -36,8 +36,8 @@ class OptionTable {
 
   const std::vector<Field>& fields() const { return fields_; }
 
-  /// Sets what the map names; an unknown name, a value that does not parse or one out of bounds is an error that
-  /// names option, value and bound.
+  /// Sets what the map names; an unknown name, a value that does not parse or one out of bounds is
+  /// an error that names option, value and bound.
   Status Set(const OptionMap& options, T* target) const {
     for (const auto& [name, text] : options) {
       const Field* field = FindField(name);
@@ -73,7 +73,8 @@ class OptionTable {
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (!whole || !(parsed >= field.lower && parsed <= field.upper)) {
       const char* kind = std::is_integral_v<Number> ? "an integer" : "a number";
-      return Refusal(field, text, fmt::format("{} in [{:g}, {:g}]", kind, field.lower, field.upper));
+      return Refusal(field, text,
+                     fmt::format("{} in [{:g}, {:g}]", kind, field.lower, field.upper));
     }
     *number = parsed;
     return Status();

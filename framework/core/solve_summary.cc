@@ -29,9 +29,10 @@ std::string ToString(Termination termination) {
 }
 
 std::string SolveSummary::BriefReport() const {
-  return fmt::format("{}: {} after {} iterations, gradient {:.2e} -> {:.2e}, {} factorizations, {:.3f} s; {}",
-                     strategy, ToString(termination), num_iterations(), initial_gradient_max,
-                     final_gradient_max, factorizations, total_seconds, message);
+  return fmt::format(
+      "{}: {} after {} iterations, gradient {:.2e} -> {:.2e}, {} factorizations, {:.3f} s; {}",
+      strategy, ToString(termination), num_iterations(), initial_gradient_max, final_gradient_max,
+      factorizations, total_seconds, message);
 }
 
 std::string SolveSummary::FullReport() const {
@@ -41,11 +42,12 @@ std::string SolveSummary::FullReport() const {
                       gradient_evaluations, hessian_evaluations);
   text += fmt::format("linear       {} analyses, {} factorizations, {} solves, {} CG iterations\n",
                       symbolic_analyses, factorizations, linear_solves, cg_iterations);
-  text += fmt::format("seconds      {:.4f} evaluating, {:.4f} factoring, {:.4f} solving, {:.4f} in all\n",
-                      evaluation_seconds, factorization_seconds, solve_seconds, total_seconds);
+  text += fmt::format(
+      "seconds      {:.4f} evaluating, {:.4f} factoring, {:.4f} solving, {:.4f} in all\n",
+      evaluation_seconds, factorization_seconds, solve_seconds, total_seconds);
   for (const IterationRecord& r : iterations) {
-    text += fmt::format("{:4d}  value {:.12g}  gradient {:.3e}  step {:.3g}  {:.4f} s\n", r.iteration,
-                        r.value, r.gradient_max, r.step_length, r.seconds);
+    text += fmt::format("{:4d}  value {:.12g}  gradient {:.3e}  step {:.3g}  {:.4f} s\n",
+                        r.iteration, r.value, r.gradient_max, r.step_length, r.seconds);
   }
   return text;
 }

@@ -14,15 +14,16 @@ inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a solve ended, and what became of the caller's x.
 enum class Termination {
-  kNotRun,            ///< x untouched
-  kConverged,         ///< the gradient test was met: x is the solution
-  kStalled,           ///< no step improves x in floating point, the gradient test is not met: x is the best iterate
-  kIterationLimit,    ///< x is the last iterate
-  kTimeLimit,         ///< x is the last iterate
-  kStoppedByCaller,   ///< the callback asked to stop: x is the last iterate
-  kCancelled,         ///< the cancellation flag was raised: x is the last iterate
-  kInvalidStart,      ///< the start lies outside the energy's domain: x untouched
-  kUnsupported,       ///< the energy does not offer the form that the strategy needs: x untouched
+  kNotRun,     ///< x untouched
+  kConverged,  ///< the gradient test was met: x is the solution
+  kStalled,  ///< no step improves x in floating point, the gradient test is not met: x is the best
+             ///< iterate
+  kIterationLimit,   ///< x is the last iterate
+  kTimeLimit,        ///< x is the last iterate
+  kStoppedByCaller,  ///< the callback asked to stop: x is the last iterate
+  kCancelled,        ///< the cancellation flag was raised: x is the last iterate
+  kInvalidStart,     ///< the start lies outside the energy's domain: x untouched
+  kUnsupported,      ///< the energy does not offer the form that the strategy needs: x untouched
 };
 
 std::string ToString(Termination termination);
@@ -64,8 +65,8 @@ using IterationCallback =
 
 /// How a caller watches a solve and ends it early; shared by all strategies.
 struct SolveControl {
-  IterationCallback callback;                     ///< may be empty
-  const std::atomic<bool>* cancelled = nullptr;   ///< may be null; polled at every iterate
+  IterationCallback callback;                    ///< may be empty
+  const std::atomic<bool>* cancelled = nullptr;  ///< may be null; polled at every iterate
 };
 
 }  // namespace cirque

@@ -5,8 +5,11 @@
 namespace cirque {
 
 AngleConstraints::AngleConstraints(const Triangulation& t, const ConeTargets& targets)
-    : triangulation_(t), num_faces_(t.num_faces()), row_of_vertex_(t.num_vertices, kNone),
-      lower_(num_faces_, kPi), upper_(num_faces_, kPi) {
+    : triangulation_(t),
+      num_faces_(t.num_faces()),
+      row_of_vertex_(t.num_vertices, kNone),
+      lower_(num_faces_, kPi),
+      upper_(num_faces_, kPi) {
   CHECK_EQ(static_cast<int>(targets.lower.size()), t.num_vertices);
   CHECK_EQ(static_cast<int>(targets.upper.size()), t.num_vertices);
   const std::vector<Index> corners = CornersPerVertex(t);

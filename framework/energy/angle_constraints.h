@@ -1,16 +1,18 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 
 namespace cirque {
 
-/// The linear constraints A alpha = b of an angle fit and their multipliers' numbering: one row a triangle (sum pi),
-/// then one row a vertex whose target interval is not all of [0, pi * corners]. Column h of A has a one in the row of the
-/// corner's face and, when its vertex is constrained, in the row of that vertex.
+/// The linear constraints A alpha = b of an angle fit and their multipliers' numbering: one row a
+/// triangle (sum pi), then one row a vertex whose target interval is not all of [0, pi * corners].
+/// Column h of A has a one in the row of the corner's face and, when its vertex is constrained, in
+/// the row of that vertex.
 class AngleConstraints {
  public:
   AngleConstraints(const Triangulation& triangulation, const ConeTargets& targets);

@@ -7,18 +7,19 @@
 
 namespace cirque {
 
-/// What an objective says about one edge: g(s) = max over a in Q_e of [ s.a - phi(a) ], its maximiser a (the gradient
-/// of g) and its (generalised) Hessian. At a boundary edge only the left entries mean anything.
+/// What an objective says about one edge: g(s) = max over a in Q_e of [ s.a - phi(a) ], its
+/// maximiser a (the gradient of g) and its (generalised) Hessian. At a boundary edge only the left
+/// entries mean anything.
 struct EdgeConjugate {
   double value = 0;
-  double alpha_l = 0, alpha_r = 0;           ///< [rad]
-  double h_ll = 0, h_lr = 0, h_rr = 0;       ///< d alpha / d s
+  double alpha_l = 0, alpha_r = 0;      ///< [rad]
+  double h_ll = 0, h_lr = 0, h_rr = 0;  ///< d alpha / d s
 };
 
-/// A separable, convex distance phi_e(alpha_l, alpha_r) of an edge's two opposite corner angles from reference angles,
-/// with the set Q_e = {alpha_l >= eps, alpha_r >= eps, alpha_l + alpha_r <= pi - eps} (boundary: [eps, pi - eps])
-/// that they may range over. A new objective is these four functions; the dual energy, the primal strategies and the KKT
-/// report all follow from them.
+/// A separable, convex distance phi_e(alpha_l, alpha_r) of an edge's two opposite corner angles
+/// from reference angles, with the set Q_e = {alpha_l >= eps, alpha_r >= eps, alpha_l + alpha_r <=
+/// pi - eps} (boundary: [eps, pi - eps]) that they may range over. A new objective is these four
+/// functions; the dual energy, the primal strategies and the KKT report all follow from them.
 class AngleObjective {
  public:
   virtual ~AngleObjective() = default;

@@ -1,14 +1,20 @@
 #include "cirque/energy/circle_pattern_energy.h"
 
-#include <glog/logging.h>
-
 #include <cmath>
+
+#include <glog/logging.h>
 
 #include "cirque/energy/circle_pattern_residual.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/edge_energy.h"
 
 namespace cirque {
+namespace {
+
+constexpr double kLeastChord = 1e-3;  ///< below, chord and tangent agree
+
+}  // namespace
 
 CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentAngles& angles)
     : num_faces_(t.num_faces()), boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
@@ -29,7 +35,7 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
 double CirclePatternEnergy::InteriorEdge::theta() const { return kPi - alpha_i - alpha_j; }
 
 double CirclePatternEnergy::InteriorEdge::natural_d() const {
-  return std::log(std::sin(alpha_j) / std::sin(alpha_i));
+  return MinimalLogRatio(alpha_i, alpha_j);
 }
 
 bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
@@ -37,7 +43,7 @@ bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gra
   for (int f = 0; f < num_faces_; ++f) sum.Add(boundary_star_[f] * rho[f]);
   for (const InteriorEdge& e : edges_) {
     const double theta = e.theta();
-    sum.Add(PatternEdgeEnergy(rho[e.i] - rho[e.j], theta).value);
+    sum.Add(EdgePotential(rho[e.i] - rho[e.j], theta).value);
     sum.Add(-(kPi - theta) * (rho[e.i] + rho[e.j]));
   }
   *value = sum.Value();
@@ -79,10 +85,23 @@ bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const 
   return true;
 }
 
+bool CirclePatternEnergy::StiffHessian(const double* rho, SparseMatrix* lower) const {
+  AssembleLaplacian(
+      [&](const InteriorEdge& e) {
+        const double d = rho[e.i] - rho[e.j], from_natural = d - e.natural_d();
+        const double tangent = HalfAngleWeight(d, e.theta());
+        if (std::abs(from_natural) < kLeastChord) return tangent;
+        const double chord = 2 * (e.alpha_i - HalfAngle(d, e.theta())) / from_natural;
+        return std::max(tangent, chord);
+      },
+      lower);
+  return true;
+}
+
 void CirclePatternEnergy::LeastSquaresStart(SparseMatrix* lower,
                                             Eigen::VectorXd* right_side) const {
-  AssembleLaplacian(
-      [](const InteriorEdge& e) { return HalfAngleWeight(e.natural_d(), e.theta()); }, lower);
+  AssembleLaplacian([](const InteriorEdge& e) { return HalfAngleWeight(e.natural_d(), e.theta()); },
+                    lower);
   right_side->setZero(num_faces_);
   for (const InteriorEdge& e : edges_) {
     const double flow = HalfAngleWeight(e.natural_d(), e.theta()) * e.natural_d();
@@ -95,7 +114,7 @@ double CirclePatternEnergy::ResidualOffset() const {
   CompensatedSum sum;
   for (const InteriorEdge& e : edges_) {
     const double d = e.natural_d();
-    sum.Add(PatternEdgeEnergy(d, e.theta()).value);
+    sum.Add(EdgePotential(d, e.theta()).value);
     sum.Add((e.alpha_i - e.alpha_j) * d);
   }
   return sum.Value();

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
@@ -9,16 +10,18 @@
 
 namespace cirque {
 
-/// The Euclidean circle-pattern energy of log radii rho (Bobenko & Springborn; KSS06 eq. 4 with the boundary factor
-/// 2 that the thesis lacks), theta* = alpha_l + alpha_r at an interior edge and alpha at a boundary one:
-///   S(rho) = sum_int [ Im Li2(e^{d + i theta}) + Im Li2(e^{-d + i theta}) - theta* (rho_i + rho_j) ]
+/// The Euclidean circle-pattern energy of log radii rho (Bobenko & Springborn; KSS06 eq. 4 with the
+/// boundary factor 2 that the thesis lacks), theta* = alpha_l + alpha_r at an interior edge and
+/// alpha at a boundary one:
+///   S(rho) = sum_int [ Im Li2(e^{d + i theta}) + Im Li2(e^{-d + i theta}) - theta* (rho_i + rho_j)
+///   ]
 ///            - sum_bdry 2 theta* rho_i + 2 pi sum_f rho_f,            d = rho_i - rho_j
 ///   dS/drho_i = 2 pi - sum_int 2 phi_i - sum_bdry 2 theta*
-/// At its minimum phi_i is the corner angle opposite the edge in the flat triangle i. Convex; invariant under adding a
-/// constant to rho (the gauge: face 0 is fixed).
+/// At its minimum phi_i is the corner angle opposite the edge in the flat triangle i. Convex;
+/// invariant under adding a constant to rho (the gauge: face 0 is fixed).
 ///
-/// The constructor takes *coherent* angles, which also split S into one convex function an edge (EdgeExcess): its
-/// exact least-squares form.
+/// The constructor takes *coherent* angles, which also split S into one convex function an edge
+/// (EdgeExcess): its exact least-squares form.
 class CirclePatternEnergy final : public Energy {
  public:
   /// `triangulation` must outlive the energy. @pre all angles positive, alpha_l + alpha_r < pi.
@@ -28,6 +31,9 @@ class CirclePatternEnergy final : public Energy {
   bool Evaluate(const double* rho, double* value, double* gradient) const override;
   bool Gradient(const double* rho, double* gradient) const override;
   bool Hessian(const double* rho, SparseMatrix* lower) const override;
+  /// The weights at d are raised to the chord's from d_e to d: far from d_e the half-angles
+  /// saturate, the tangent weight decays like e^-|d|, and Newton's step would overshoot by as much.
+  bool StiffHessian(const double* rho, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override { return {0}; }
   bool HasExactResiduals() const override { return true; }
   void AddResidualBlocks(double* rho, ceres::Problem* problem) const override;
@@ -36,7 +42,8 @@ class CirclePatternEnergy final : public Energy {
   double ResidualOffset() const;
 
   /// The weighted least-squares problem whose solution is a good start: minimise over rho
-  ///   sum_int w_e (rho_i - rho_j - d_e)^2,  d_e = log(sin alpha_j / sin alpha_i),  w_e the Hessian's weight at d_e,
+  ///   sum_int w_e (rho_i - rho_j - d_e)^2,  d_e = log(sin alpha_j / sin alpha_i),  w_e the
+  ///   Hessian's weight at d_e,
   /// as normal equations (matrix singular along the gauge).
   void LeastSquaresStart(SparseMatrix* lower, Eigen::VectorXd* right_side) const;
 
@@ -45,7 +52,8 @@ class CirclePatternEnergy final : public Energy {
     int i, j;                 ///< the faces left of the edge's halfedge and of its twin
     double alpha_i, alpha_j;  ///< their corner angles opposite the edge
     double theta() const;     ///< intersection angle
-    double natural_d() const; ///< d_e: the log ratio at which both halves agree with the coherent angles
+    double natural_d()
+        const;  ///< d_e: the log ratio at which both halves agree with the coherent angles
   };
 
   template <class Weight>

@@ -10,7 +10,9 @@ namespace cirque {
 DualAngleEnergy::DualAngleEnergy(const AngleConstraints& constraints,
                                  const Eigen::VectorXd& reference, double epsilon,
                                  std::shared_ptr<const AngleObjective> objective)
-    : constraints_(constraints), reference_(reference), epsilon_(epsilon),
+    : constraints_(constraints),
+      reference_(reference),
+      epsilon_(epsilon),
       objective_(std::move(objective)) {}
 
 EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
@@ -26,7 +28,8 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
   const Triangulation& t = constraints_.triangulation();
   const int rows = constraints_.num_rows();
   CompensatedSum sum;
-  // With interval targets this is the slope on the side where y is; fixed targets have both sides equal.
+  // With interval targets this is the slope on the side where y is; fixed targets have both sides
+  // equal.
   const auto target = [&](int row) {
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   };

@@ -10,10 +10,12 @@
 
 namespace cirque {
 
-/// The Lagrange dual of an angle fit, a convex function without constraints of the multipliers y of A alpha = b:
-///   f(y) = sum_e g_e((A'y)_e) - b.y,      grad f = A alpha(y) - b,      Hess f = A diag(d alpha / d s) A'
-/// with g_e the objective's conjugate over Q_e. min f = -min of the primal objective; where the constraints are
-/// infeasible f is unbounded below along a Farkas certificate.
+/// The Lagrange dual of an angle fit, a convex function without constraints of the multipliers y of
+/// A alpha = b:
+///   f(y) = sum_e g_e((A'y)_e) - b.y,      grad f = A alpha(y) - b,      Hess f = A diag(d alpha /
+///   d s) A'
+/// with g_e the objective's conjugate over Q_e. min f = -min of the primal objective; where the
+/// constraints are infeasible f is unbounded below along a Farkas certificate.
 class DualAngleEnergy final : public Energy {
  public:
   /// `constraints` and `reference` (3F angles [rad]) must outlive the energy.

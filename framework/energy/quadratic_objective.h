@@ -4,8 +4,9 @@
 
 namespace cirque {
 
-/// phi(alpha) = 1/2 |alpha - alpha0|^2: the thesis's quadratic program. Its conjugate is the Euclidean projection of
-/// alpha0 + s onto Q_e; the generalised Hessian is that projection's derivative.
+/// phi(alpha) = 1/2 |alpha - alpha0|^2: the thesis's quadratic program. Its conjugate is the
+/// Euclidean projection of alpha0 + s onto Q_e; the generalised Hessian is that projection's
+/// derivative.
 class QuadraticObjective final : public AngleObjective {
  public:
   double Interior(double ref_l, double ref_r, double alpha_l, double alpha_r) const override;

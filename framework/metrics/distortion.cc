@@ -10,7 +10,8 @@
 namespace cirque {
 namespace {
 
-/// A triangle laid into the plane with its first edge on the x axis: the columns are the edges from corner 0.
+/// A triangle laid into the plane with its first edge on the x axis: the columns are the edges from
+/// corner 0.
 Eigen::Matrix2d LayOutTriangle(double a, double b, double c) {
   // a is opposite corner 0; corner 1 lies at (c, 0), corner 2 at distance b from corner 0.
   const double x = (b * b + c * c - a * a) / (2 * c);
@@ -19,7 +20,8 @@ Eigen::Matrix2d LayOutTriangle(double a, double b, double c) {
   return edges;
 }
 
-/// sigma_max / sigma_min of a 2x2 matrix with positive determinant, by its conformal and anticonformal parts.
+/// sigma_max / sigma_min of a 2x2 matrix with positive determinant, by its conformal and
+/// anticonformal parts.
 double SingularValueRatio(const Eigen::Matrix2d& m) {
   const double conformal = std::hypot(m(0, 0) + m(1, 1), m(1, 0) - m(0, 1));
   const double anticonformal = std::hypot(m(0, 0) - m(1, 1), m(1, 0) + m(0, 1));

@@ -24,8 +24,7 @@ bool BoxesMeet(const Segment& s, const Segment& t) {
 
 /// Whether two closed segments have a point in common.
 bool Meet(const Segment& s, const Segment& t) {
-  return BoxesMeet(s, t) &&
-         OrientationSign(s.a, s.b, t.a) * OrientationSign(s.a, s.b, t.b) <= 0 &&
+  return BoxesMeet(s, t) && OrientationSign(s.a, s.b, t.a) * OrientationSign(s.a, s.b, t.b) <= 0 &&
          OrientationSign(t.a, t.b, s.a) * OrientationSign(t.a, t.b, s.b) <= 0;
 }
 

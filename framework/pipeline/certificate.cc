@@ -1,6 +1,7 @@
 #include "cirque/pipeline/certificate.h"
 
 #include <cmath>
+
 #include <nlohmann/json.hpp>
 
 namespace cirque {

@@ -1,9 +1,9 @@
 #include "cirque/pipeline/parameterize.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/core/text.h"
@@ -42,8 +42,12 @@ class Run {
  public:
   Run(const Surface& surface, const ParameterizeOptions& options, const SolveControl& control,
       Parameterization* result)
-      : surface_(surface), t_(surface.triangulation), options_(options), control_(control),
-        result_(*result), certificate_(result->certificate) {}
+      : surface_(surface),
+        t_(surface.triangulation),
+        options_(options),
+        control_(control),
+        result_(*result),
+        certificate_(result->certificate) {}
 
   Status Execute() {
     if (Status s = RequireDisk(t_); !s.ok()) return s;
@@ -150,9 +154,10 @@ class Run {
   Status Unrepresentable(const std::vector<Index>& flipped) const {
     return Status(
         StatusCode::kUnrepresentable,
-        fmt::format("the flat metric exists but doubles cannot hold it in one chart: log radii range "
-                    "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
-                    certificate_.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
+        fmt::format(
+            "the flat metric exists but doubles cannot hold it in one chart: log radii range "
+            "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
+            certificate_.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
   }
 
   void Record(const std::string& stage, const SolveSummary& solve) {

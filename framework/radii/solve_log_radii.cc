@@ -1,9 +1,9 @@
 #include "cirque/radii/solve_log_radii.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/math/circle_angle.h"
@@ -17,19 +17,21 @@ namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
 
-/// The least-squares start; zero when its system cannot be factored (Newton is globalised and starts anywhere).
+/// The least-squares start; zero when its system cannot be factored (Newton is globalised and
+/// starts anywhere).
 Eigen::VectorXd Start(const CirclePatternEnergy& energy) {
   SparseMatrix lower;
   Eigen::VectorXd right_side;
   energy.LeastSquaresStart(&lower, &right_side);
-  const auto cholesky = MakeDefaultCholesky();
+  const auto cholesky = MakeCholesky();
   HessianShift shift(energy);
   if (!cholesky->Factorize(shift.Apply(lower))) return Eigen::VectorXd::Zero(lower.cols());
   const Eigen::VectorXd rho = cholesky->Solve(right_side);
   return rho.allFinite() ? rho : Eigen::VectorXd::Zero(lower.cols());
 }
 
-/// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles attain.
+/// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles
+/// attain.
 double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const CornerAngles& flat) {
   CompensatedSum sum;
   for (Index h = 0; h < t.num_halfedges(); ++h) {
@@ -90,7 +92,8 @@ EdgeLengths FlatEdgeLengths(const Triangulation& t, const CornerAngles& flat,
   lengths.value.resize(t.num_edges());
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
-    lengths.value[e] = 2 * std::exp(log_radii.value[Triangulation::Face(h)]) * std::sin(flat.value[h]);
+    lengths.value[e] =
+        2 * std::exp(log_radii.value[Triangulation::Face(h)]) * std::sin(flat.value[h]);
   }
   return lengths;
 }

@@ -14,13 +14,14 @@ struct LogRadiiResult {
   SolveSummary solve;
   double gradient_max = kUnset;  ///< largest deviation of a face's angle sum from pi, doubled [rad]
   double energy = kUnset;        ///< S at the solution
-  double dual_energy = kUnset;   ///< Rivin's and Leibon's dual at the same point: equal to S at the minimum
+  double dual_energy =
+      kUnset;  ///< Rivin's and Leibon's dual at the same point: equal to S at the minimum
 
   double RelativeGap() const;
 };
 
-/// Minimises the circle-pattern energy of the coherent angles from the least-squares start (DESIGN 2.2). kNotConverged
-/// when the gradient stays above 1e-9 rad.
+/// Minimises the circle-pattern energy of the coherent angles from the least-squares start
+/// (DESIGN 2.2). kNotConverged when the gradient stays above 1e-9 rad.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result);

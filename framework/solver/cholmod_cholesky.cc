@@ -2,9 +2,9 @@
 
 #include "cirque/solver/cholmod_cholesky.h"
 
-#include <cholmod.h>
-
 #include <algorithm>
+
+#include <cholmod.h>
 
 namespace cirque {
 namespace {

@@ -9,14 +9,19 @@ namespace {
 
 constexpr int kMaxTrials = 50;
 constexpr double kOvershootSlope = 0.5, kOvershootGradient = 0.9;
-constexpr double kUnchangedSlope = 0.9;  ///< a step that leaves this share of the slope was far too short
+constexpr double kUnchangedSlope =
+    0.9;  ///< a step that leaves this share of the slope was far too short
 
 class Search {
  public:
   Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
          const Eigen::VectorXd& direction, SolveRun* run)
-      : x_(x), direction_(direction), run_(run), slope0_(gradient.dot(direction)),
-        norm0_(gradient.norm()), low_slope_(slope0_) {}
+      : x_(x),
+        direction_(direction),
+        run_(run),
+        slope0_(gradient.dot(direction)),
+        norm0_(gradient.norm()),
+        low_slope_(slope0_) {}
 
   LineSearchResult Run() {
     double t = 1;
@@ -58,7 +63,8 @@ class Search {
            point.gradient.norm() <= kOvershootGradient * norm0_;
   }
 
-  /// The next trial between low_ and t, where the slope turned positive: the secant's zero, kept off the ends.
+  /// The next trial between low_ and t, where the slope turned positive: the secant's zero, kept
+  /// off the ends.
   double Cut(double t, double slope) {
     high_ = t;
     const double fraction = low_slope_ / (low_slope_ - slope);

@@ -13,12 +13,14 @@ struct LineSearchResult {
   Eigen::VectorXd x, gradient;  ///< at the accepted point
 };
 
-/// Searches along p from x on the convex energy of `run`, by directional derivatives alone: energy values lose half
-/// their digits near a minimum (and are dear), derivatives do not. A point is accepted when
+/// Searches along p from x on the convex energy of `run`, by directional derivatives alone: energy
+/// values lose half their digits near a minimum (and are dear), derivatives do not. A point is
+/// accepted when
 ///   g(t).p <= 0                                  (by convexity the energy fell all the way), or
-///   g(t).p <= 1/2 |g(0).p| and |g(t)| <= 0.9 |g(0)|   (overshot, but clearly nearer to the minimum).
-/// A step after which the slope hardly changed is doubled; one that overshot is cut by safeguarded secants; one
-/// that left the domain is halved. @pre g(0).p < 0.
+///   g(t).p <= 1/2 |g(0).p| and |g(t)| <= 0.9 |g(0)|   (overshot, but clearly nearer to the
+///   minimum).
+/// A step after which the slope hardly changed is doubled; one that overshot is cut by safeguarded
+/// secants; one that left the domain is halved. @pre g(0).p < 0.
 LineSearchResult SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                              const Eigen::VectorXd& direction, SolveRun* run);
 

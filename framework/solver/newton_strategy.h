@@ -12,10 +12,11 @@ struct NewtonOptions : SolverLimits {
 
 const OptionTable<NewtonOptions>& NewtonOptionTable();
 
-/// Newton's method with a sparse Cholesky factorisation a step and a line search on directional derivatives.
-/// Semi-smooth energies whose generalised Hessian can be singular are regularised as Levenberg and Marquardt do: a
-/// multiple of the identity that grows 100-fold (to at least 1e-5) when steps below 1/100 are wanted or the factorisation
-/// fails, and shrinks again after full steps.
+/// Newton's method with a sparse Cholesky factorisation a step and a line search on directional
+/// derivatives. Semi-smooth energies whose generalised Hessian can be singular are regularised as
+/// Levenberg and Marquardt do: a multiple of the identity that grows 100-fold (to at least 1e-5)
+/// when steps below 1/100 are wanted or the factorisation fails, and shrinks again after full
+/// steps.
 class NewtonStrategy final : public SolverStrategy {
  public:
   explicit NewtonStrategy(const NewtonOptions& options) : options_(options) {}

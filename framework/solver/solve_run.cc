@@ -1,10 +1,15 @@
 #include "cirque/solver/solve_run.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace cirque {
+namespace {
+
+constexpr double kCutStep = 0.5;  ///< a step below this share of the proposed one was cut
+
+}  // namespace
 
 SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
                    const Energy& energy)
@@ -23,10 +28,30 @@ bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
 
 bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
   const Timer timer;
-  const bool defined = energy_.Hessian(x.data(), lower);
+  const bool cut =
+      !summary_.iterations.empty() && summary_.iterations.back().step_length < kCutStep;
+  const bool defined =
+      cut ? energy_.StiffHessian(x.data(), lower) : energy_.Hessian(x.data(), lower);
   ++summary_.hessian_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
   return defined;
+}
+
+bool SolveRun::Factorize(const SparseMatrix& lower, SparseCholesky* cholesky) {
+  const Timer timer;
+  const bool factored = cholesky->Factorize(lower);
+  summary_.symbolic_analyses = cholesky->symbolic_analyses();
+  summary_.factorizations = cholesky->factorizations();
+  summary_.factorization_seconds += timer.Seconds();
+  return factored;
+}
+
+Eigen::VectorXd SolveRun::Solve(const Eigen::VectorXd& right_side, SparseCholesky* cholesky) {
+  const Timer timer;
+  ++summary_.linear_solves;
+  Eigen::VectorXd x = cholesky->Solve(right_side);
+  summary_.solve_seconds += timer.Seconds();
+  return x;
 }
 
 bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {

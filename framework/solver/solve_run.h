@@ -4,20 +4,28 @@
 
 #include "cirque/core/timer.h"
 #include "cirque/solver/solver_strategy.h"
+#include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {
 
-/// The bookkeeping of one solve by an iteration of our own: counts and times evaluations, keeps the records, asks
-/// the callback, and knows when to end.
+/// The bookkeeping of one solve by an iteration of our own: counts and times evaluations, keeps the
+/// records, asks the callback, and knows when to end.
 class SolveRun {
  public:
   SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
            const Energy& energy);
 
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
+
+  /// The Hessian, or after a step that had to be cut the energy's stiff one.
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
 
-  /// Evaluates value and gradient at the start. False (and ended as kInvalidStart) outside the domain.
+  /// Factors and solves, counted and timed.
+  bool Factorize(const SparseMatrix& lower, SparseCholesky* cholesky);
+  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side, SparseCholesky* cholesky);
+
+  /// Evaluates value and gradient at the start. False (and ended as kInvalidStart) outside the
+  /// domain.
   bool Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
 
   /// Whether another step is due at this gradient; otherwise the termination is set.

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "cirque/core/option_table.h"
 #include "cirque/core/registry.h"

@@ -1,5 +1,7 @@
 #include "cirque/solver/sparse_cholesky.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 
 #include "cirque/solver/cholmod_cholesky.h"
@@ -39,8 +41,10 @@ const Registry<SparseCholeskyFactory>& LinearSolvers() {
   return table;
 }
 
-std::unique_ptr<SparseCholesky> MakeDefaultCholesky() {
-  return (*LinearSolvers().Find(LinearSolvers().Names().front()))();
+std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name) {
+  const auto factory = LinearSolvers().Find(name.empty() ? LinearSolvers().Names().front() : name);
+  CHECK(factory.ok()) << factory.status().message();
+  return (*factory)();
 }
 
 }  // namespace cirque

@@ -2,14 +2,15 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "cirque/core/registry.h"
 #include "cirque/energy/energy.h"
 
 namespace cirque {
 
-/// Factors symmetric positive definite matrices given by their lower triangle and solves with the factor. A matrix
-/// with the pattern of the one before reuses its symbolic analysis.
+/// Factors symmetric positive definite matrices given by their lower triangle and solves with the
+/// factor. A matrix with the pattern of the one before reuses its symbolic analysis.
 class SparseCholesky {
  public:
   virtual ~SparseCholesky() = default;
@@ -39,7 +40,7 @@ using SparseCholeskyFactory = std::function<std::unique_ptr<SparseCholesky>()>;
 /// `cholmod` (when built with it) and `eigen`; the first is the default.
 const Registry<SparseCholeskyFactory>& LinearSolvers();
 
-/// The first entry of LinearSolvers().
-std::unique_ptr<SparseCholesky> MakeDefaultCholesky();
+/// The linear solver of that name; empty: the first of the table. @pre the name is known.
+std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name = "");
 
 }  // namespace cirque

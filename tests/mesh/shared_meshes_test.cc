@@ -12,6 +12,7 @@
 
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
+
 #include "tests/common/paths.h"
 
 namespace cirque {

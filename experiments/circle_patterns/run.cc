@@ -1,0 +1,75 @@
+#include "experiments/circle_patterns/run.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cirque/core/atomic_file.h"
+#include "cirque/core/timer.h"
+#include "cirque/mesh/io.h"
+#include "cirque/mesh/preflight.h"
+
+namespace cirque {
+namespace {
+
+double ValueOr(const Certificate& certificate, const std::string& name, double fallback) {
+  const auto found = certificate.values.find(name);
+  return found == certificate.values.end() ? fallback : found->second;
+}
+
+/// The evidence in a few lines for people.
+std::string Summary(const Certificate& c) {
+  const auto value = [&](const char* name) { return ValueOr(c, name, kUnset); };
+  std::string text = fmt::format(
+      "angles      {:.0f} steps, smallest corner {:.2e} rad, intersection {:.2e} rad, gap {:.1e}\n",
+      value("angle_iterations"), value("smallest_angle"), value("smallest_theta"),
+      value("angle_gap"));
+  text +=
+      fmt::format("radii       {:.0f} steps, gradient {:.1e} rad, gap {:.1e}, log range {:.1f}\n",
+                  value("radii_iterations"), value("radii_gradient"), value("radii_gap"),
+                  value("log_radius_range"));
+  text += fmt::format(
+      "map         {:.0f} flipped triangles, {}, quasi-conformal {:.5f} mean {:.4g} max\n",
+      value("flipped_triangles"), c.overlap, value("quasi_conformal_mean"),
+      value("quasi_conformal_max"));
+  return text;
+}
+
+}  // namespace
+
+std::string CertificatePath(const CirclePatternsJob& job) {
+  if (!job.certificate.empty()) return job.certificate;
+  return std::filesystem::path(job.output).replace_extension(".certificate.json").string();
+}
+
+Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
+  const Timer timer;
+  const StatusOr<PolygonSoup> soup = ReadMesh(job.input);
+  if (!soup.ok()) return soup.status();
+  const double read_seconds = timer.Seconds();
+  PreflightReport preflight;
+  const StatusOr<Surface> surface = Preflight(*soup, &preflight);
+  report << preflight.Text();
+  if (!surface.ok()) return surface.status().In(job.input);
+  const double preflight_seconds = timer.Seconds() - read_seconds;
+
+  Parameterization map;
+  Status status = Parameterize(*surface, job.options, {}, &map);
+  map.certificate.seconds["read"] = read_seconds;
+  map.certificate.seconds["preflight"] = preflight_seconds;
+  if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
+  if (status.ok()) {
+    report << Summary(map.certificate);
+    const Timer write_timer;
+    const Status written = WriteMesh(job.output, AttachUv(*soup, *surface, map.uv));
+    if (!written.ok()) return written;
+    map.certificate.seconds["write"] = write_timer.Seconds();
+    report << fmt::format("wrote       {} ({:.2f} s in all)\n", job.output, timer.Seconds());
+  }
+  const std::string certificate = CertificatePath(job);
+  if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
+  report << "certificate " << certificate << "\n";
+  return status;
+}
+
+}  // namespace cirque

@@ -1,0 +1,34 @@
+#include "cirque/solver/conjugate_gradients.h"
+
+namespace cirque {
+
+CgResult ConjugateGradients(
+    const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition, double tolerance,
+    int max_iterations, Eigen::VectorXd* x) {
+  CgResult result;
+  x->setZero(right_side.size());
+  Eigen::VectorXd residual = right_side;
+  Eigen::VectorXd z = precondition(residual), direction = z;
+  double rho = residual.dot(z);
+  const double target = tolerance * right_side.norm();
+  while (!(result.converged = residual.norm() <= target) && result.iterations < max_iterations) {
+    const Eigen::VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
+    const double curvature = direction.dot(image);
+    if (!(curvature > 0)) {
+      result.positive = false;
+      return result;
+    }
+    const double step = rho / curvature;
+    *x += step * direction;
+    residual -= step * image;
+    z = precondition(residual);
+    const double next_rho = residual.dot(z);
+    direction = z + (next_rho / rho) * direction;
+    rho = next_rho;
+    ++result.iterations;
+  }
+  return result;
+}
+
+}  // namespace cirque

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// What a run of conjugate gradients achieved.
+struct CgResult {
+  int iterations = 0;
+  bool converged = false;  ///< |A x - b| <= tolerance |b|
+  bool positive = true;    ///< no direction of non-positive curvature was met
+};
+
+/// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle, the preconditioner as a
+/// function that applies an approximate inverse (Hestenes & Stiefel 1952; Saad, Iterative methods, alg. 9.1).
+CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                            const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition,
+                            double tolerance, int max_iterations, Eigen::VectorXd* x);
+
+}  // namespace cirque

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/core/metric.h"
+#include "cirque/mesh/surface.h"
+
+namespace cirque {
+
+/// A generator's mesh as a surface.
+Surface GeneratedSurface(const std::string& generator, Index triangles, unsigned seed = 1);
+
+/// A vertex in the middle of n triangles whose outer vertices lie at the given angle steps around
+/// it (they need not add up to 2 pi: the apex is lifted), radius 1.
+Surface Fan(int n, double height);
+
+/// Every face split into three by a vertex at its centroid.
+Surface Kleetope(const Surface& surface);
+
+/// The interior vertices' sums fixed to 2 pi, boundary vertices free.
+ConeTargets FlatTargets(const Triangulation& triangulation);
+
+/// The surface's corner angles [rad].
+CornerAngles AnglesOf(const Surface& surface);
+
+}  // namespace cirque

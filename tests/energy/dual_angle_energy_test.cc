@@ -1,0 +1,99 @@
+#include "cirque/energy/dual_angle_energy.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "cirque/energy/quadratic_objective.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kEps = 0.05;
+
+TEST(QuadraticObjective, ConjugateMaximiserBeatsEveryOtherPointOfTheTriangle) {
+  const QuadraticObjective objective;
+  for (const double s_l : {-3.0, -0.5, 0.0, 0.4, 2.0, 5.0}) {
+    for (const double s_r : {-2.0, 0.1, 1.0, 4.0}) {
+      const EdgeConjugate g = objective.InteriorConjugate(0.7, 1.9, kEps, s_l, s_r);
+      EXPECT_GE(g.alpha_l, kEps);
+      EXPECT_GE(g.alpha_r, kEps);
+      EXPECT_LE(g.alpha_l + g.alpha_r, kPi - kEps + 1e-15);
+      for (double a = kEps; a < kPi; a += 0.07) {
+        for (double b = kEps; a + b <= kPi - kEps; b += 0.07) {
+          EXPECT_GE(g.value + 1e-14, s_l * a + s_r * b - objective.Interior(0.7, 1.9, a, b));
+        }
+      }
+    }
+  }
+}
+
+TEST(QuadraticObjective, BoundaryConjugateIsTheClampedReference) {
+  const QuadraticObjective objective;
+  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, 0.5).alpha_l, 1.5);
+  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, -2).alpha_l, kEps);
+  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, 9).alpha_l, kPi - kEps);
+}
+
+class DualAngleEnergyTest : public ::testing::Test {
+ protected:
+  DualAngleEnergyTest() {
+    std::mt19937 random(3);
+    y_.resize(constraints_.num_rows());
+    for (double& y : y_) y = std::ldexp(static_cast<double>(random()), -31) - 1;
+  }
+
+  const Surface surface_ = GeneratedSurface("bumpy_terrain", 120);
+  const ConeTargets targets_ = FlatTargets(surface_.triangulation);
+  const AngleConstraints constraints_{surface_.triangulation, targets_};
+  const CornerAngles reference_ = AnglesOf(surface_);
+  const DualAngleEnergy energy_{constraints_, reference_.value, kEps,
+                                std::make_shared<QuadraticObjective>()};
+  Eigen::VectorXd y_;
+};
+
+TEST_F(DualAngleEnergyTest, GradientIsTheConstraintResidualOfItsAngles) {
+  Eigen::VectorXd gradient(y_.size());
+  double value;
+  ASSERT_TRUE(energy_.Evaluate(y_.data(), &value, gradient.data()));
+  Eigen::VectorXd residual = constraints_.Apply(energy_.Angles(y_.data()));
+  for (int row = 0; row < residual.size(); ++row) residual[row] -= constraints_.Lower(row);
+  EXPECT_LT((gradient - residual).lpNorm<Eigen::Infinity>(), 1e-12);
+  EXPECT_GT(gradient.lpNorm<Eigen::Infinity>(), 0.1);
+}
+
+TEST_F(DualAngleEnergyTest, HessianPredictsTheGradientWhereNoEdgeChangesSide) {
+  SparseMatrix lower;
+  ASSERT_TRUE(energy_.Hessian(y_.data(), &lower));
+  const Eigen::VectorXd p = Eigen::VectorXd::Random(y_.size()) * 1e-9;
+  Eigen::VectorXd here(y_.size()), there(y_.size());
+  const Eigen::VectorXd moved = y_ + p;
+  energy_.Gradient(y_.data(), here.data());
+  energy_.Gradient(moved.data(), there.data());
+  const Eigen::VectorXd predicted = lower.selfadjointView<Eigen::Lower>() * p;
+  EXPECT_LT((there - here - predicted).lpNorm<Eigen::Infinity>(), 1e-14);
+  EXPECT_GT(predicted.lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
+TEST_F(DualAngleEnergyTest, WeakDualityHoldsAtAnyMultipliers) {
+  // Any feasible primal point bounds -f from above; the flat equilateral angles of a hexagonal fan
+  // are one.
+  const Surface fan = Fan(6, 0.4);
+  const ConeTargets targets = FlatTargets(fan.triangulation);
+  const AngleConstraints constraints(fan.triangulation, targets);
+  const CornerAngles reference = AnglesOf(fan);
+  const DualAngleEnergy energy(constraints, reference.value, kEps,
+                               std::make_shared<QuadraticObjective>());
+  const Eigen::VectorXd feasible = Eigen::VectorXd::Constant(18, kPi / 3);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::VectorXd y = Eigen::VectorXd::Random(constraints.num_rows()) * 2;
+    double value;
+    energy.Evaluate(y.data(), &value, nullptr);
+    EXPECT_LE(-value, energy.Primal(feasible) + 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace cirque

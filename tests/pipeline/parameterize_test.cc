@@ -1,0 +1,105 @@
+#include "cirque/pipeline/parameterize.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cirque/mesh/generators.h"
+
+#include "tests/common/similarity.h"
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk) {
+  Parameterization map;
+  const Status status = Parameterize(surface, {}, {}, &map);
+  EXPECT_EQ(status.code(), wanted) << status.message();
+  EXPECT_EQ(map.certificate.outcome, ToString(wanted));
+  return map;
+}
+
+TEST(Parameterize, PlanarDelaunayMeshComesBackUpToSimilarity) {
+  const Surface patch = GeneratedSurface("flat_delaunay_patch", 4000);
+  ParameterizeOptions options;
+  options.epsilon =
+      1e-9;  // near-cocircular quads of the patch may be flatter than the default margin
+  Parameterization map;
+  ASSERT_TRUE(Parameterize(patch, options, {}, &map).ok());
+  std::vector<Eigen::Vector2d> wanted;
+  for (const Index v : patch.triangulation.vertex) wanted.push_back(patch.position[v].head<2>());
+  EXPECT_LT(FitSimilarity(map.uv.value, wanted).max_error, 1e-9);
+}
+
+TEST(Parameterize, GeneratedDisksHaveCertifiedMaps) {
+  for (const char* name : {"bumpy_terrain", "spherical_cap", "enneper_patch", "hemisphere",
+                           "capped_tube", "hexagonal_fan"}) {
+    SCOPED_TRACE(name);
+    const Parameterization map = Flatten(GeneratedSurface(name, 1500));
+    const auto& values = map.certificate.values;
+    EXPECT_EQ(values.at("flipped_triangles"), 0);
+    EXPECT_LE(values.at("radii_gradient"), 1e-9);
+    EXPECT_LE(values.at("vertex_sum_residual"), 1e-8);
+    EXPECT_LE(values.at("radii_gap"), 1e-8);
+    EXPECT_LE(values.at("angle_gap"), 1e-8);
+    EXPECT_LE(values.at("layout_closure"), 1e-7);
+    EXPECT_GE(values.at("quasi_conformal_mean"), 1);
+    EXPECT_LT(values.at("quasi_conformal_mean"), 1.2);
+    EXPECT_EQ(map.certificate.overlap, "injective");
+  }
+}
+
+TEST(Parameterize, ImageHasTheAreaOfTheSurface) {
+  const Surface surface = GeneratedSurface("bumpy_terrain", 500);
+  const Parameterization map = Flatten(surface);
+  double image = 0, source = 0;
+  for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+    const auto corner = [&](int k) {
+      return surface.position[surface.triangulation.vertex[3 * f + k]];
+    };
+    source += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    const Eigen::Vector2d a = map.uv.value[3 * f + 1] - map.uv.value[3 * f];
+    const Eigen::Vector2d b = map.uv.value[3 * f + 2] - map.uv.value[3 * f];
+    image += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  EXPECT_NEAR(image / source, 1, 1e-9);
+}
+
+TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
+  const Parameterization map =
+      Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)), StatusCode::kInfeasible);
+  EXPECT_TRUE(map.uv.value.empty());
+  const auto json = nlohmann::json::parse(map.certificate.ToJson());
+  EXPECT_EQ(json["outcome"], "infeasible");
+  EXPECT_FALSE(json["infeasibility"]["face_multiplier"].empty());
+}
+
+TEST(Parameterize, ClosedSurfacesAndAnnuliAreRefusedByName) {
+  for (const char* name : {"sphere", "torus", "annulus"}) {
+    Parameterization map;
+    const Status status = Parameterize(GeneratedSurface(name, 600), {}, {}, &map);
+    EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+    EXPECT_NE(status.message().find("boundary loops"), std::string::npos) << status.message();
+  }
+}
+
+TEST(Parameterize, UnknownNamesAreRefused) {
+  ParameterizeOptions options;
+  options.strategy = "newtn";
+  Parameterization map;
+  const Status status = Parameterize(GeneratedSurface("bumpy_terrain", 100), options, {}, &map);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+  EXPECT_NE(status.message().find("did you mean 'newton'?"), std::string::npos);
+}
+
+TEST(Parameterize, CancellationIsHonoured) {
+  const std::atomic<bool> cancelled = true;
+  SolveControl control;
+  control.cancelled = &cancelled;
+  Parameterization map;
+  EXPECT_EQ(Parameterize(GeneratedSurface("bumpy_terrain", 100), {}, control, &map).code(),
+            StatusCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace cirque
