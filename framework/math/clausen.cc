@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "cirque/core/types.h"
 #include "cirque/math/clausen_coefficients.h"
@@ -29,7 +30,7 @@ double Polynomial(const std::array<double, N>& c, double t) {
   return even + t * odd;
 }
 
-/// 0 <= x <= 2 pi / 3.
+/// 0 <= x <= pi / 2.
 double NearZero(double x) {
   if (x == 0.0) return 0.0;
   const double t = x * x;
@@ -37,13 +38,16 @@ double NearZero(double x) {
   return x + x * (t * Polynomial(kClausenNearZero, t) - std::log(x));
 }
 
-/// Cl2(pi - y), |y| <= pi / 3.
-double NearPi(double y) { return y * Polynomial(kClausenNearPi, y * y); }
+/// Cl2(pi - y), |y| <= pi / 2.
+double NearPi(double y) {
+  const double t = y * y;
+  return y * (std::numbers::ln2 + t * Polynomial(kClausenNearPi, t));
+}
 
 /// x in [0, 2 pi].
 double OnePeriod(double x) {
-  if (x <= kTwoPi / 3.0) return NearZero(x);
-  if (x <= 2.0 * kTwoPi / 3.0) return NearPi((kPi - x) + kPiLow);
+  if (x <= 0.5 * kPi) return NearZero(x);
+  if (x <= 1.5 * kPi) return NearPi((kPi - x) + kPiLow);
   return -NearZero((kTwoPi - x) + 2.0 * kPiLow);
 }
 
