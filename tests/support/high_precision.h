@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include <boost/math/constants/constants.hpp>
@@ -15,7 +16,21 @@ using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<
 
 inline Real Pi() { return boost::math::constants::pi<Real>(); }
 
-/// Im Li2(e^{mu}), mu = log_radius + i angle, log_radius <= 0, 0 <= angle <= pi, by
+/// B_2k / (2k (2k+1)!), k = 1 to 110.
+inline const std::array<Real, 110>& BernoulliCoefficients() {
+  static const std::array<Real, 110> kCoefficients = [] {
+    std::array<Real, 110> c;
+    Real factorial = 1;
+    for (int k = 1; k <= 110; ++k) {
+      factorial *= Real(2 * k) * (2 * k + 1);
+      c[k - 1] = boost::math::bernoulli_b2n<Real>(k) / (2 * k * factorial);
+    }
+    return c;
+  }();
+  return kCoefficients;
+}
+
+/// Im Li2(e^{mu}), mu = log_radius + i angle, log_radius <= 0, 0 <= angle <= pi, |mu| < 4, by
 /// Li2(e^mu) = pi^2/6 + mu (1 - log(-mu)) - mu^2/4 - sum_k B_2k mu^{2k+1} / (2k (2k+1)!).
 inline Real ImDilogByBernoulli(const Real& log_radius, const Real& angle) {
   const Real square_re = log_radius * log_radius - angle * angle;
@@ -23,13 +38,13 @@ inline Real ImDilogByBernoulli(const Real& log_radius, const Real& angle) {
   const Real log_re = log(log_radius * log_radius + angle * angle) / 2;
   const Real log_im = atan2(-angle, -log_radius);
   Real sum = angle * (1 - log_re) - log_radius * log_im - square_im / 4;
-  Real power_re = log_radius, power_im = angle, factorial = 1;
-  for (int k = 1; k <= 110; ++k) {
+  Real power_re = log_radius, power_im = angle;
+  for (const Real& coefficient : BernoulliCoefficients()) {
     const Real re = power_re * square_re - power_im * square_im;
     power_im = power_re * square_im + power_im * square_re;
     power_re = re;
-    factorial *= Real(2 * k) * (2 * k + 1);
-    sum -= boost::math::bernoulli_b2n<Real>(k) * power_im / (2 * k * factorial);
+    sum -= coefficient * power_im;
+    if (abs(coefficient) * (abs(power_re) + abs(power_im)) < Real("1e-70")) break;
   }
   return sum;
 }
@@ -69,9 +84,9 @@ inline Real HalfAngleWeight(const Real& d, const Real& theta) {
   return sin(theta) / (cosh(d) - cos(theta));
 }
 
-/// Im Li2(e^{d + i theta}) + Im Li2(e^{-d + i theta}).
+/// Im Li2(e^{d + i theta}) + Im Li2(e^{-d + i theta}), the outer one by inversion.
 inline Real EdgePotential(const Real& d, const Real& theta) {
-  return ImDilog(d, theta) + ImDilog(-d, theta);
+  return abs(d) * (Pi() - theta) + 2 * ImDilog(-abs(d), theta);
 }
 
 /// log(sin alpha_j / sin alpha_i).
