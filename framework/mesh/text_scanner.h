@@ -62,7 +62,10 @@ class TextScanner {
   bool started_ = false;
 };
 
-/// The word in quotes, shortened, with unprintable bytes as '?': fit for a message.
+/// The word, shortened, with unprintable bytes as '?': fit for a message.
+std::string Printable(std::string_view word);
+
+/// The same in quotes.
 std::string Quoted(std::string_view word);
 
 }  // namespace cirque
