@@ -45,9 +45,9 @@ class OffParser {
           "space?");
     }
     if (scanner_.AtLineEnd()) scanner_.NextLine();
-    const std::optional<long long> vertices = scanner_.Integer();
-    const std::optional<long long> faces = vertices ? scanner_.Integer() : std::nullopt;
-    if (!faces || *vertices < 0 || *faces < 0) {
+    const std::optional<long long> vertices = scanner_.Count();
+    const std::optional<long long> faces = vertices ? scanner_.Count() : std::nullopt;
+    if (!faces) {
       return scanner_.Expected("the numbers of vertices and faces");
     }
     num_vertices_ = *vertices;
@@ -69,8 +69,8 @@ class OffParser {
 
   Status ParseFace(long long f) {
     if (!scanner_.NextLine()) return EndsEarly("face", f, num_faces_);
-    const std::optional<long long> size = scanner_.Integer();
-    if (!size || *size < 0) return scanner_.Expected("the number of corners of a face");
+    const std::optional<long long> size = scanner_.Count();
+    if (!size) return scanner_.Expected("the number of corners of a face");
     corners_.clear();
     for (long long c = 0; c < *size; ++c) {
       const std::optional<long long> vertex = scanner_.Integer();

@@ -49,8 +49,8 @@ Status ParseName(const Registry<T>& table, TextScanner* scanner, T* value) {
 Status ParseElement(TextScanner* scanner, PlyHeader* header) {
   PlyElement& element = header->elements.emplace_back();
   element.name = scanner->Word();
-  const std::optional<long long> count = scanner->Integer();
-  if (!count || *count < 0) return scanner->Expected("'element NAME COUNT'");
+  const std::optional<long long> count = scanner->Count();
+  if (!count) return scanner->Expected("'element NAME COUNT'");
   element.count = *count;
   return Status();
 }

@@ -108,6 +108,10 @@ std::optional<long long> TextScanner::Integer() {
   return value;
 }
 
+std::optional<long long> TextScanner::Count() {
+  return !AtLineEnd() && *position_ == '-' ? std::nullopt : Integer();
+}
+
 Status TextScanner::Expected(std::string_view expected) {
   const bool at_end = AtLineEnd();
   const std::string got = at_end ? "the end of the line" : Quoted(Word());

@@ -36,6 +36,9 @@ class TextScanner {
   /// The next word as a whole number that fits 64 bits, as above.
   std::optional<long long> Integer();
 
+  /// The same, at least 0.
+  std::optional<long long> Count();
+
   /// "path:line: expected EXPECTED, got 'WORD'", where the word is the one in front of the scanner.
   Status Expected(std::string_view expected);
 
