@@ -13,6 +13,11 @@
 #include "cirque/mesh/file_content.h"
 #include "cirque/mesh/obj_reader.h"
 #include "cirque/mesh/obj_writer.h"
+#include "cirque/mesh/off_reader.h"
+#include "cirque/mesh/off_writer.h"
+#include "cirque/mesh/ply_reader.h"
+#include "cirque/mesh/ply_writer.h"
+#include "cirque/mesh/stl_reader.h"
 
 namespace cirque {
 namespace {
@@ -24,9 +29,13 @@ struct MeshFormat {
 };
 
 const Registry<MeshFormat>& MeshFormats() {
-  static const Registry<MeshFormat> formats("mesh format", {
-                                                               {"obj", {ParseObj, FormatObj, true}},
-                                                           });
+  static const Registry<MeshFormat> formats("mesh format",
+                                            {
+                                                {"obj", {ParseObj, FormatObj, true}},
+                                                {"off", {ParseOff, FormatOff, false}},
+                                                {"ply", {ParsePly, FormatPly, false}},
+                                                {"stl", {ParseStl, nullptr, false}},
+                                            });
   return formats;
 }
 

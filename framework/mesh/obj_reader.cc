@@ -85,8 +85,7 @@ class ObjParser {
     for (int part = 0; part < 3; ++part) {
       const auto [next, error] = std::from_chars(c, end, index[part]);
       given[part] = error == std::errc();
-      // Only the middle part may be left out, and only when a third one follows.
-      const bool left_out = part == 1 && next != end && *next == '/';
+      const bool left_out = part > 0 && (c == end || *c == '/');
       if (!given[part] && !left_out) return NotACorner(word);
       if (next == end) return AddCorner(index[0], given[1], index[1]);
       if (*next != '/') return NotACorner(word);

@@ -11,8 +11,7 @@ template <class Point>
 void WritePoints(const char* keyword, const std::vector<Point>& points, TextWriter* out) {
   for (const Point& point : points) {
     out->Text(keyword);
-    out->Coordinates(point);
-    out->Text("\n");
+    out->PointLine(point);
   }
 }
 
@@ -28,8 +27,8 @@ void WriteCorner(const PolygonSoup& mesh, Index corner, TextWriter* out) {
 
 std::string FormatObj(const PolygonSoup& mesh) {
   TextWriter out;
-  WritePoints("v", mesh.position, &out);
-  WritePoints("vt", mesh.texture, &out);
+  WritePoints("v ", mesh.position, &out);
+  WritePoints("vt ", mesh.texture, &out);
   for (Index p = 0; p < mesh.num_polygons(); ++p) {
     out.Text("f");
     for (Index c = mesh.first_corner[p]; c < mesh.first_corner[p + 1]; ++c) {

@@ -110,7 +110,7 @@ std::string TopologyLine(const PreflightReport& report) {
   const std::string genus = report.genus == kNone ? "not a manifold"
                             : report.orientable
                                 ? fmt::format("orientable, genus {}", report.genus)
-                                : fmt::format("not orientable, {} crosscaps", report.genus);
+                                : "not orientable, " + Count(report.genus, "crosscap", "crosscaps");
   return fmt::format("{}, {}, {}\n", Count(report.components, "component", "components"), genus,
                      Count(report.boundary_loops, "boundary loop", "boundary loops"));
 }

@@ -108,6 +108,10 @@ std::optional<long long> TextScanner::Integer() {
   return value;
 }
 
+std::optional<long long> TextScanner::Count() {
+  return !AtLineEnd() && *position_ == '-' ? std::nullopt : Integer();
+}
+
 Status TextScanner::Expected(std::string_view expected) {
   const bool at_end = AtLineEnd();
   const std::string got = at_end ? "the end of the line" : Quoted(Word());
@@ -123,11 +127,13 @@ std::string_view TextScanner::BytesAfterLine() {
   return {position_, static_cast<std::size_t>(end_ - position_)};
 }
 
-std::string Quoted(std::string_view word) {
+std::string Printable(std::string_view word) {
   constexpr std::size_t kShown = 40;
   std::string shown;
   for (const char c : word.substr(0, kShown)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return fmt::format("'{}{}'", shown, word.size() > kShown ? "..." : "");
+  return word.size() > kShown ? shown + "..." : shown;
 }
+
+std::string Quoted(std::string_view word) { return fmt::format("'{}'", Printable(word)); }
 
 }  // namespace cirque

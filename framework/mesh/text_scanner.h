@@ -36,6 +36,9 @@ class TextScanner {
   /// The next word as a whole number that fits 64 bits, as above.
   std::optional<long long> Integer();
 
+  /// The same, at least 0.
+  std::optional<long long> Count();
+
   /// "path:line: expected EXPECTED, got 'WORD'", where the word is the one in front of the scanner.
   Status Expected(std::string_view expected);
 
@@ -62,7 +65,10 @@ class TextScanner {
   bool started_ = false;
 };
 
-/// The word in quotes, shortened, with unprintable bytes as '?': fit for a message.
+/// The word, shortened, with unprintable bytes as '?': fit for a message.
+std::string Printable(std::string_view word);
+
+/// The same in quotes.
 std::string Quoted(std::string_view word);
 
 }  // namespace cirque

@@ -3,6 +3,9 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "cirque/mesh/polygon_soup.h"
 
 namespace cirque {
 
@@ -17,13 +20,14 @@ class TextWriter {
     text_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
   }
 
-  /// The numbers of a point, a blank before each.
+  /// The coordinates of a point, a blank between them, and the end of the line.
   template <class Point>
-  void Coordinates(const Point& point) {
-    for (const double coordinate : point) {
-      text_ += ' ';
-      Number(coordinate);
+  void PointLine(const Point& point) {
+    for (Eigen::Index i = 0; i < point.size(); ++i) {
+      if (i > 0) text_ += ' ';
+      Number(point[i]);
     }
+    text_ += '\n';
   }
 
   std::string Take() && { return std::move(text_); }
@@ -31,5 +35,9 @@ class TextWriter {
  private:
   std::string text_;
 };
+
+/// The body that OFF and PLY share: a line of coordinates a vertex, then a line a polygon, its
+/// number of corners and their vertices counted from 0.
+void WritePointsAndPolygons(const PolygonSoup& mesh, TextWriter* out);
 
 }  // namespace cirque
