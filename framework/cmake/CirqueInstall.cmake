@@ -19,3 +19,5 @@ install(FILES ${PROJECT_BINARY_DIR}/package/cirqueConfig.cmake
               ${PROJECT_BINARY_DIR}/package/cirqueConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/CirqueDependencies.cmake
         COMPONENT development DESTINATION ${CIRQUE_PACKAGE_DIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT development)

@@ -34,8 +34,9 @@ step() {
 missing_packages() {
   local wanted installed
   wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
+  # dpkg-query fails when it does not know a package; that one is missing, then.
   # shellcheck disable=SC2086
-  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2> /dev/null |
+  installed=$({ dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2> /dev/null || true; } |
     sed -n 's/ installed$//p' | sort -u)
   comm -23 <(printf '%s\n' "$wanted") <(printf '%s\n' "$installed")
 }
@@ -55,7 +56,7 @@ root_prefix() {
 apt_install() {
   local prefix=$1
   shift
-  local -a apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
   # Without an update a fresh system knows no packages; without a network the lists at hand may do.
   $prefix "${apt[@]}" update || say "apt-get update failed; trying with the lists at hand"
   $prefix "${apt[@]}" install -y --no-install-recommends "$@"
@@ -67,14 +68,15 @@ install_packages() {
     say "not a Debian system: the libraries of $packages must be there already"
     return
   fi
-  local -a missing
-  mapfile -t missing < <(missing_packages "$@")
-  if ((${#missing[@]} == 0)); then return; fi
-  local prefix
-  prefix=$(root_prefix) || die "These packages are missing, and installing them takes root" \
-    "or sudo. Ask an administrator to run:"$'\n'"  apt-get install --no-install-recommends ${missing[*]}"
-  step "installing with apt-get: ${missing[*]}" apt_install "$prefix" "${missing[@]}" < /dev/null ||
-    die "apt-get could not install: ${missing[*]}"
+  local missing prefix
+  missing=$(missing_packages "$@")
+  if [[ -z $missing ]]; then return; fi
+  missing=${missing//$'\n'/ }
+  prefix=$(root_prefix) || die "Packages are missing, and installing them takes root or sudo." \
+    "Ask an administrator to run:"$'\n'"  apt-get install --no-install-recommends $missing"
+  # shellcheck disable=SC2086
+  step "installing with apt-get: $missing" apt_install "$prefix" $missing < /dev/null ||
+    die "apt-get could not install: $missing"
   # What cmake looked for in vain is there now.
   rm -f "$project"/build/*/CMakeCache.txt
 }

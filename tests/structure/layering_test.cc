@@ -81,6 +81,7 @@ TEST(StructureRules, TheFrameworkDoesNotPrint) {
     EXPECT_EQ(Violations("framework/core/a.cc", line).size(), 1u) << line;
     EXPECT_THAT(Violations("experiments/one/a.cc", line), IsEmpty()) << line;
   }
+  EXPECT_THAT(Violations("framework/core/a.cc", "// as printf(\"%g\") does\n"), IsEmpty());
   EXPECT_THAT(Violations("framework/core/a.cc", "std::snprintf(buffer, 9, \"\");\n"), IsEmpty());
 }
 
