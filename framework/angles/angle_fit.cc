@@ -19,8 +19,8 @@ constexpr double kLeastEpsilon = 1e-8;
 /// one, so both the iterate and its last step are candidates.
 class InfeasibilityWatch {
  public:
-  InfeasibilityWatch(const AngleFitProblem& problem, const SolveControl& outer)
-      : problem_(problem), outer_(outer) {}
+  InfeasibilityWatch(const AngleFitProblem& problem, double margin, const SolveControl& outer)
+      : problem_(problem), margin_(margin), outer_(outer) {}
 
   CallbackAction operator()(const IterationRecord& record, const Eigen::VectorXd& y) {
     if (outer_.callback && outer_.callback(record, y) == CallbackAction::kStop) {
@@ -36,12 +36,13 @@ class InfeasibilityWatch {
 
  private:
   void Consider(const Eigen::VectorXd& candidate) {
-    if (proof_.empty()) {
-      proof_ = ProveInfeasible(problem_.constraints, problem_.epsilon, candidate);
+    if (proof_.empty() && margin_ >= 0) {
+      proof_ = ProveInfeasible(problem_.constraints, margin_, candidate);
     }
   }
 
   const AngleFitProblem& problem_;
+  const double margin_;  ///< of Q_e; negative: no inequality can be violated
   const SolveControl& outer_;
   Eigen::VectorXd previous_;
   InfeasibilityProof proof_;
@@ -53,6 +54,32 @@ void CloseTriangles(Eigen::VectorXd* alpha) {
     auto face = alpha->segment<3>(h);
     face.array() += (kPi - face.sum()) / 3;
   }
+}
+
+/// The number of reference angles that the objective had to clamp.
+int CountClamped(const AngleFitProblem& problem, const AngleObjective& objective) {
+  const Triangulation& t = problem.constraints.triangulation();
+  const auto clamped = [&](double reference) {
+    return objective.ClampReference(reference, problem.epsilon) != reference ? 1 : 0;
+  };
+  int count = 0;
+  for (const double reference : problem.reference) count += clamped(reference);
+  if (!objective.MeasuresTheta()) return count;
+  for (const Index h : t.edge_halfedge) {
+    const double opposite = t.twin[h] == kNone ? 0 : problem.reference[t.twin[h]];
+    count += clamped(kPi - problem.reference[h] - opposite);
+  }
+  return count;
+}
+
+/// An objective without inequalities can converge to angles that are no circle pattern's.
+Status RequireCoherent(const KktReport& kkt) {
+  if (kkt.smallest_angle > 0 && kkt.smallest_theta > 0) return Status();
+  return Status(
+      StatusCode::kNotConverged,
+      fmt::format("the fitted angles are not coherent: smallest corner angle {:.3g} rad, "
+                  "smallest intersection angle {:.3g} rad; use an angle fit with inequalities",
+                  kkt.smallest_angle, kkt.smallest_theta));
 }
 
 std::string InfeasibleMessage(const InfeasibilityProof& proof) {
@@ -85,7 +112,7 @@ Status FitAnglesByDual(const AngleFitProblem& problem,
                        const SolverStrategy& strategy, const SolveControl& control,
                        AngleFitResult* result) {
   const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, objective);
-  InfeasibilityWatch watch(problem, control);
+  InfeasibilityWatch watch(problem, objective->Margin(problem.epsilon), control);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
   const SolveControl watched{std::ref(watch), control.cancelled};
   result->solve = strategy.Minimize(energy, watched, &y);
@@ -101,10 +128,11 @@ Status FitAnglesByDual(const AngleFitProblem& problem,
   result->kkt = CheckFeasibility(problem.constraints, result->angles.value);
   result->kkt.primal = energy.Primal(result->angles.value);
   result->kkt.dual = -result->solve.final_value;
+  result->clamped_references = CountClamped(problem, *objective);
   if (!(result->solve.final_gradient_max <= kAcceptedGradient)) {
     return Status(StatusCode::kNotConverged, "angle fit: " + result->solve.BriefReport());
   }
-  return Status();
+  return RequireCoherent(result->kkt);
 }
 
 Status FitAngles(const AngleFitProblem& problem,

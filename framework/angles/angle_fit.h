@@ -27,6 +27,7 @@ struct AngleFitResult {
   CoherentAngles angles;
   SolveSummary solve;
   KktReport kkt;
+  int clamped_references = 0;        ///< reference angles that the objective had to clamp
   InfeasibilityProof infeasibility;  ///< filled with kInfeasible
 };
 

@@ -33,7 +33,7 @@ Margin ComputeMargin(const AngleConstraints& constraints, double epsilon,
   CompensatedSum sum;
   Margin margin;
   const auto add = [&](double term) {
-    sum.Add(term);
+    sum += term;
     margin.magnitude += std::abs(term);
   };
   for (int row = 0; row < constraints.num_rows(); ++row) {

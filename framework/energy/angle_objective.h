@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cirque/core/registry.h"
+#include "cirque/math/scalar_jet.h"
 
 namespace cirque {
 
@@ -16,22 +17,40 @@ struct EdgeConjugate {
   double h_ll = 0, h_lr = 0, h_rr = 0;  ///< d alpha / d s
 };
 
-/// A separable, convex distance phi_e(alpha_l, alpha_r) of an edge's two opposite corner angles
-/// from reference angles, with the set Q_e = {alpha_l >= eps, alpha_r >= eps, alpha_l + alpha_r <=
-/// pi - eps} (boundary: [eps, pi - eps]) that they may range over. A new objective is these four
-/// functions; the dual energy, the primal strategies and the KKT report all follow from them.
+/// A convex distance of corner angles from reference angles: a sum over corners of delta(alpha;
+/// alpha0), and over edges of delta(theta; theta0) too where MeasuresTheta() says so, theta = pi -
+/// alpha_l - alpha_r (boundary: pi - alpha), together with the set Q_e = {alpha_l >= eps, alpha_r
+/// >= eps, alpha_l + alpha_r <= pi - eps} (boundary: [eps, pi - eps]) that an edge's angles may
+/// range over. The dual energy, the primal fits and the KKT report all follow from these functions.
 class AngleObjective {
  public:
   virtual ~AngleObjective() = default;
 
-  /// phi of an interior edge's two angles, of a boundary edge's one.
-  virtual double Interior(double ref_l, double ref_r, double alpha_l, double alpha_r) const = 0;
-  virtual double Boundary(double ref, double alpha) const = 0;
+  /// delta(x; reference) with its first two derivatives in x; `reference` as ClampReference
+  /// returned it.
+  virtual ScalarJet Distance(double reference, double x) const = 0;
 
-  /// Their conjugates over Q_e at the slopes s.
-  virtual EdgeConjugate InteriorConjugate(double ref_l, double ref_r, double eps, double s_l,
+  /// r with 1/2 r^2 = delta(x; reference), smooth at x = reference.
+  virtual ResidualJet Residual(double reference, double x) const = 0;
+
+  /// Whether intersection angles are measured like corner angles.
+  virtual bool MeasuresTheta() const { return false; }
+
+  /// The reference angle that Distance can take: one not positive has none under some objectives.
+  virtual double ClampReference(double reference, double /*epsilon*/) const { return reference; }
+
+  /// The margin of Q_e when `epsilon` is asked for; negative: Q_e is everything. Objectives with a
+  /// barrier need none (0).
+  virtual double Margin(double epsilon) const { return epsilon; }
+
+  /// The conjugates over Q_e(Margin(epsilon)) at the slopes s, for raw (unclamped) references.
+  virtual EdgeConjugate InteriorConjugate(double ref_l, double ref_r, double epsilon, double s_l,
                                           double s_r) const = 0;
-  virtual EdgeConjugate BoundaryConjugate(double ref, double eps, double s) const = 0;
+  virtual EdgeConjugate BoundaryConjugate(double ref, double epsilon, double s) const = 0;
+
+  /// phi of an interior edge's two angles, of a boundary edge's one, for raw references.
+  double Interior(double ref_l, double ref_r, double epsilon, double alpha_l, double alpha_r) const;
+  double Boundary(double ref, double epsilon, double alpha) const;
 };
 
 /// The table of objectives, one line an entry in angle_objective_registry.cc.

@@ -5,16 +5,12 @@
 #include <glog/logging.h>
 
 #include "cirque/energy/circle_pattern_residual.h"
+#include "cirque/energy/laplacian_assembler.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/math/edge_energy.h"
 
 namespace cirque {
-namespace {
-
-constexpr double kLeastChord = 1e-3;  ///< below, chord and tangent agree
-
-}  // namespace
 
 CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentAngles& angles)
     : num_faces_(t.num_faces()), boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
@@ -40,11 +36,11 @@ double CirclePatternEnergy::InteriorEdge::natural_d() const {
 
 bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
   CompensatedSum sum;
-  for (int f = 0; f < num_faces_; ++f) sum.Add(boundary_star_[f] * rho[f]);
+  for (int f = 0; f < num_faces_; ++f) sum += boundary_star_[f] * rho[f];
   for (const InteriorEdge& e : edges_) {
     const double theta = e.theta();
-    sum.Add(EdgePotential(rho[e.i] - rho[e.j], theta).value);
-    sum.Add(-(kPi - theta) * (rho[e.i] + rho[e.j]));
+    sum += EdgePotential(rho[e.i] - rho[e.j], theta).value;
+    sum += -(kPi - theta) * (rho[e.i] + rho[e.j]);
   }
   *value = sum.Value();
   if (!std::isfinite(*value)) return false;
@@ -62,60 +58,21 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   return true;
 }
 
-template <class Weight>
-void CirclePatternEnergy::AssembleLaplacian(const Weight& weight, SparseMatrix* lower) const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(num_faces_ + 3 * edges_.size());
-  for (int f = 0; f < num_faces_; ++f) entries.emplace_back(f, f, 0.0);
-  for (const InteriorEdge& e : edges_) {
-    if (e.i == e.j) continue;  // a face glued to itself: d = 0 whatever rho is
-    const double w = weight(e);
-    entries.emplace_back(e.i, e.i, w);
-    entries.emplace_back(e.j, e.j, w);
-    entries.emplace_back(std::max(e.i, e.j), std::min(e.i, e.j), -w);
-  }
-  lower->resize(num_faces_, num_faces_);
-  lower->setFromTriplets(entries.begin(), entries.end());
-}
-
 bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const {
-  AssembleLaplacian(
-      [&](const InteriorEdge& e) { return HalfAngleWeight(rho[e.i] - rho[e.j], e.theta()); },
-      lower);
-  return true;
-}
-
-bool CirclePatternEnergy::StiffHessian(const double* rho, SparseMatrix* lower) const {
-  AssembleLaplacian(
-      [&](const InteriorEdge& e) {
-        const double d = rho[e.i] - rho[e.j], from_natural = d - e.natural_d();
-        const double tangent = HalfAngleWeight(d, e.theta());
-        if (std::abs(from_natural) < kLeastChord) return tangent;
-        const double chord = 2 * (e.alpha_i - HalfAngle(d, e.theta())) / from_natural;
-        return std::max(tangent, chord);
-      },
-      lower);
-  return true;
-}
-
-void CirclePatternEnergy::LeastSquaresStart(SparseMatrix* lower,
-                                            Eigen::VectorXd* right_side) const {
-  AssembleLaplacian([](const InteriorEdge& e) { return HalfAngleWeight(e.natural_d(), e.theta()); },
-                    lower);
-  right_side->setZero(num_faces_);
+  LaplacianAssembler laplacian(num_faces_, edges_.size());
   for (const InteriorEdge& e : edges_) {
-    const double flow = HalfAngleWeight(e.natural_d(), e.theta()) * e.natural_d();
-    (*right_side)[e.i] += flow;
-    (*right_side)[e.j] -= flow;
+    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.theta()));
   }
+  laplacian.Assemble(lower);
+  return true;
 }
 
 double CirclePatternEnergy::ResidualOffset() const {
   CompensatedSum sum;
   for (const InteriorEdge& e : edges_) {
     const double d = e.natural_d();
-    sum.Add(EdgePotential(d, e.theta()).value);
-    sum.Add((e.alpha_i - e.alpha_j) * d);
+    sum += EdgePotential(d, e.theta()).value;
+    sum += (e.alpha_i - e.alpha_j) * d;
   }
   return sum.Value();
 }

@@ -31,21 +31,12 @@ class CirclePatternEnergy final : public Energy {
   bool Evaluate(const double* rho, double* value, double* gradient) const override;
   bool Gradient(const double* rho, double* gradient) const override;
   bool Hessian(const double* rho, SparseMatrix* lower) const override;
-  /// The weights at d are raised to the chord's from d_e to d: far from d_e the half-angles
-  /// saturate, the tangent weight decays like e^-|d|, and Newton's step would overshoot by as much.
-  bool StiffHessian(const double* rho, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override { return {0}; }
   bool HasExactResiduals() const override { return true; }
   void AddResidualBlocks(double* rho, ceres::Problem* problem) const override;
 
   /// The constant with 1/2 |r|^2 = S - ResidualOffset().
   double ResidualOffset() const;
-
-  /// The weighted least-squares problem whose solution is a good start: minimise over rho
-  ///   sum_int w_e (rho_i - rho_j - d_e)^2,  d_e = log(sin alpha_j / sin alpha_i),  w_e the
-  ///   Hessian's weight at d_e,
-  /// as normal equations (matrix singular along the gauge).
-  void LeastSquaresStart(SparseMatrix* lower, Eigen::VectorXd* right_side) const;
 
  private:
   struct InteriorEdge {
@@ -55,9 +46,6 @@ class CirclePatternEnergy final : public Energy {
     double natural_d()
         const;  ///< d_e: the log ratio at which both halves agree with the coherent angles
   };
-
-  template <class Weight>
-  void AssembleLaplacian(const Weight& weight, SparseMatrix* lower) const;
 
   int num_faces_;
   std::vector<InteriorEdge> edges_;

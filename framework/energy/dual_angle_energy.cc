@@ -34,12 +34,12 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   };
   for (int row = 0; row < rows; ++row) {
-    sum.Add(-target(row) * y[row]);
+    sum += -target(row) * y[row];
     if (gradient) gradient[row] = -target(row);
   }
   for (Index e = 0; e < t.num_edges(); ++e) {
     const EdgeConjugate g = Conjugate(e, y);
-    sum.Add(g.value);
+    sum += g.value;
     if (!gradient) continue;
     const auto add = [&](Index h, double alpha) {
       gradient[Triangulation::Face(h)] += alpha;
@@ -103,8 +103,9 @@ double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha) const {
   CompensatedSum sum;
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index l = t.edge_halfedge[e], r = t.twin[l];
-    sum.Add(r == kNone ? objective_->Boundary(reference_[l], alpha[l])
-                       : objective_->Interior(reference_[l], reference_[r], alpha[l], alpha[r]));
+    sum += r == kNone
+               ? objective_->Boundary(reference_[l], epsilon_, alpha[l])
+               : objective_->Interior(reference_[l], reference_[r], epsilon_, alpha[l], alpha[r]);
   }
   return sum.Value();
 }

@@ -28,13 +28,6 @@ class Energy : public ceres::FirstOrderFunction {
   /// domain.
   virtual bool Hessian(const double* x, SparseMatrix* lower) const = 0;
 
-  /// A matrix at least as large as the Hessian that foresees where curvature grows along a long
-  /// step. Strategies take it for the step after one that had to be cut. Where an energy knows no
-  /// better it is the Hessian.
-  virtual bool StiffHessian(const double* x, SparseMatrix* lower) const {
-    return Hessian(x, lower);
-  }
-
   /// Parameters to hold fixed, because the energy does not change along a kernel of that dimension
   /// (one for the scale of a circle pattern). The gradient is orthogonal to the kernel.
   virtual std::vector<int> GaugeParameters() const { return {}; }

@@ -1,19 +1,30 @@
 #pragma once
 
-#include "cirque/energy/angle_objective.h"
+#include "cirque/energy/separable_objective.h"
 
 namespace cirque {
 
-/// phi(alpha) = 1/2 |alpha - alpha0|^2: the thesis's quadratic program. Its conjugate is the
-/// Euclidean projection of alpha0 + s onto Q_e; the generalised Hessian is that projection's
-/// derivative.
-class QuadraticObjective final : public AngleObjective {
+/// delta(x; x0) = w/2 (x - x0)^2.
+///   kUniform   w = 1: the thesis's quadratic program
+///   kRelative  w = 1 / x0^2: the weights of angle-based flattening (Sheffer & de Sturler 2001), x0
+///   clamped to >= eps kUnbounded w = 1 without inequalities (Q_e is everything): the linear
+///   least-squares projection
+class QuadraticObjective final : public SeparableObjective {
  public:
-  double Interior(double ref_l, double ref_r, double alpha_l, double alpha_r) const override;
-  double Boundary(double ref, double alpha) const override;
-  EdgeConjugate InteriorConjugate(double ref_l, double ref_r, double eps, double s_l,
-                                  double s_r) const override;
-  EdgeConjugate BoundaryConjugate(double ref, double eps, double s) const override;
+  enum class Kind { kUniform, kRelative, kUnbounded };
+
+  explicit QuadraticObjective(Kind kind) : kind_(kind) {}
+
+  ScalarJet Distance(double reference, double x) const override;
+  ResidualJet Residual(double reference, double x) const override;
+  double WithSlope(double reference, double slope) const override;
+  double ClampReference(double reference, double epsilon) const override;
+  double Margin(double epsilon) const override;
+
+ private:
+  double Weight(double reference) const;
+
+  Kind kind_;
 };
 
 }  // namespace cirque

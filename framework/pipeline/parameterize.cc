@@ -101,6 +101,7 @@ class Run {
     LogRadiiResult radii;
     Status status = SolveLogRadii(t_, result_.angles, **strategy, control_, &radii);
     Record("radii", radii.solve);
+    certificate_.values["radii_factorizations"] += radii.start_iterations;
     Put({{"radii_gradient", radii.gradient_max},
          {"radii_primal", radii.energy},
          {"radii_dual", radii.dual_energy},

@@ -9,26 +9,14 @@
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/compensated_sum.h"
-#include "cirque/solver/regularization.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/radii/pattern_volume.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
-
-/// The least-squares start; zero when its system cannot be factored (Newton is globalised and
-/// starts anywhere).
-Eigen::VectorXd Start(const CirclePatternEnergy& energy) {
-  SparseMatrix lower;
-  Eigen::VectorXd right_side;
-  energy.LeastSquaresStart(&lower, &right_side);
-  const auto cholesky = MakeCholesky();
-  HessianShift shift(energy);
-  if (!cholesky->Factorize(shift.Apply(lower))) return Eigen::VectorXd::Zero(lower.cols());
-  const Eigen::VectorXd rho = cholesky->Solve(right_side);
-  return rho.allFinite() ? rho : Eigen::VectorXd::Zero(lower.cols());
-}
+constexpr double kStartGradient =
+    1e-4;  ///< from where Newton on the radii converges in a few full steps
 
 /// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles
 /// attain.
@@ -37,8 +25,8 @@ double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const Co
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     const Index g = t.twin[h];
     if (g == kNone) continue;
-    sum.Add(2 * Lobachevsky(flat.value[h]));
-    if (h < g) sum.Add(-2 * Lobachevsky(angles.value[h] + angles.value[g]));
+    sum += 2 * Lobachevsky(flat.value[h]);
+    if (h < g) sum += -2 * Lobachevsky(angles.value[h] + angles.value[g]);
   }
   return sum.Value();
 }
@@ -53,7 +41,8 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
-  Eigen::VectorXd rho = Start(energy);
+  Eigen::VectorXd rho;
+  result->start_iterations = MaximizePatternVolume(t, angles, energy, kStartGradient, &rho);
   result->solve = strategy.Minimize(energy, control, &rho);
   rho.array() -= rho.mean();
   result->log_radii.value = rho;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
+
+#include <Eigen/Core>
 
 #include "cirque/energy/energy.h"
 
@@ -14,10 +15,12 @@ struct CgResult {
   bool positive = true;    ///< no direction of non-positive curvature was met
 };
 
-/// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle, the preconditioner as a
-/// function that applies an approximate inverse (Hestenes & Stiefel 1952; Saad, Iterative methods, alg. 9.1).
-CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                            const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition,
-                            double tolerance, int max_iterations, Eigen::VectorXd* x);
+/// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle, the
+/// preconditioner as a function that applies an approximate inverse (Hestenes & Stiefel 1952; Saad,
+/// Iterative methods, alg. 9.1).
+CgResult ConjugateGradients(
+    const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition, double tolerance,
+    int max_iterations, Eigen::VectorXd* x);
 
 }  // namespace cirque

@@ -63,17 +63,25 @@ class PreconditionedDirection {
 }  // namespace
 
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
-  static const OptionTable<NewtonCgOptions> table("newton_cg", [] {
+  static const OptionTable<NewtonCgOptions> kTable("newton_cg", [] {
     auto fields = LimitFields<NewtonCgOptions>();
     fields.push_back({"linear_solver", &NewtonCgOptions::linear_solver, 0, 0,
                       LinearSolvers().Names(), "sparse Cholesky; default: the first"});
-    fields.push_back({"max_cg_iterations", &NewtonCgOptions::max_cg_iterations, 1, 1e6, {},
+    fields.push_back({"max_cg_iterations",
+                      &NewtonCgOptions::max_cg_iterations,
+                      1,
+                      1e6,
+                      {},
                       "conjugate gradient iterations a step before factoring anew"});
-    fields.push_back({"forcing", &NewtonCgOptions::forcing, 1e-10, 0.9, {},
+    fields.push_back({"forcing",
+                      &NewtonCgOptions::forcing,
+                      1e-10,
+                      0.9,
+                      {},
                       "relative residual of the first steps' linear systems"});
     return fields;
   }());
-  return table;
+  return kTable;
 }
 
 SolveSummary NewtonCgStrategy::Minimize(const Energy& energy, const SolveControl& control,

@@ -7,17 +7,18 @@
 namespace cirque {
 
 struct NewtonCgOptions : SolverLimits {
-  std::string linear_solver;     ///< a name of LinearSolvers(); empty: its first
-  int max_cg_iterations = 40;    ///< a step: beyond, factoring anew is taken to be cheaper
-  double forcing = 0.1;          ///< relative residual of the first steps' linear systems
+  std::string linear_solver;   ///< a name of LinearSolvers(); empty: its first
+  int max_cg_iterations = 40;  ///< a step: beyond, factoring anew is taken to be cheaper
+  double forcing = 0.1;        ///< relative residual of the first steps' linear systems
 };
 
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable();
 
-/// Newton's method whose linear systems are solved by conjugate gradients, preconditioned with the factor of an
-/// earlier Hessian: one factorisation where Newton takes one a step. The systems are solved as tightly as superlinear
-/// convergence needs (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared).
-/// Factors anew when conjugate gradients need more than max_cg_iterations.
+/// Newton's method whose linear systems are solved by conjugate gradients, preconditioned with the
+/// factor of an earlier Hessian: one factorisation where Newton takes one a step. The systems are
+/// solved as tightly as superlinear convergence needs (Eisenstat & Walker 1996, choice 2): relative
+/// residual min(forcing, |g| / |g_before| squared). Factors anew when conjugate gradients need more
+/// than max_cg_iterations.
 class NewtonCgStrategy final : public SolverStrategy {
  public:
   explicit NewtonCgStrategy(const NewtonCgOptions& options) : options_(options) {}

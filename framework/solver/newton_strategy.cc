@@ -37,13 +37,13 @@ class CholeskyDirection {
 }  // namespace
 
 const OptionTable<NewtonOptions>& NewtonOptionTable() {
-  static const OptionTable<NewtonOptions> table("newton", [] {
+  static const OptionTable<NewtonOptions> kTable("newton", [] {
     auto fields = LimitFields<NewtonOptions>();
     fields.push_back({"linear_solver", &NewtonOptions::linear_solver, 0, 0, LinearSolvers().Names(),
                       "sparse Cholesky; default: the first"});
     return fields;
   }());
-  return table;
+  return kTable;
 }
 
 SolveSummary NewtonStrategy::Minimize(const Energy& energy, const SolveControl& control,

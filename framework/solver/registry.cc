@@ -4,11 +4,11 @@
 namespace cirque {
 
 const Registry<SolverStrategyFactory>& SolverStrategies() {
-  static const Registry<SolverStrategyFactory> table(
+  static const Registry<SolverStrategyFactory> kTable(
       "solver strategy", {
                              {"newton", FactoryOf<NewtonStrategy>(NewtonOptionTable())},
                          });
-  return table;
+  return kTable;
 }
 
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,

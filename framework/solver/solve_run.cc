@@ -5,11 +5,6 @@
 #include <fmt/format.h>
 
 namespace cirque {
-namespace {
-
-constexpr double kCutStep = 0.5;  ///< a step below this share of the proposed one was cut
-
-}  // namespace
 
 SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
                    const Energy& energy)
@@ -28,10 +23,7 @@ bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
 
 bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
   const Timer timer;
-  const bool cut =
-      !summary_.iterations.empty() && summary_.iterations.back().step_length < kCutStep;
-  const bool defined =
-      cut ? energy_.StiffHessian(x.data(), lower) : energy_.Hessian(x.data(), lower);
+  const bool defined = energy_.Hessian(x.data(), lower);
   ++summary_.hessian_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
   return defined;

@@ -16,8 +16,6 @@ class SolveRun {
            const Energy& energy);
 
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
-
-  /// The Hessian, or after a step that had to be cut the energy's stiff one.
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
 
   /// Factors and solves, counted and timed.

@@ -1,8 +1,8 @@
 #include "cirque/solver/sparse_cholesky.h"
 
-#include <glog/logging.h>
-
 #include <algorithm>
+
+#include <glog/logging.h>
 
 #include "cirque/solver/cholmod_cholesky.h"
 #include "cirque/solver/eigen_cholesky.h"
@@ -31,14 +31,14 @@ bool SparseCholesky::SamePatternAsBefore(const SparseMatrix& lower) const {
 }
 
 const Registry<SparseCholeskyFactory>& LinearSolvers() {
-  static const Registry<SparseCholeskyFactory> table("linear solver",
-                                                     {
+  static const Registry<SparseCholeskyFactory> kTable("linear solver",
+                                                      {
 #ifdef CIRQUE_CHOLMOD
-                                                         {"cholmod", MakeCholmodCholesky},
+                                                          {"cholmod", MakeCholmodCholesky},
 #endif
-                                                         {"eigen", MakeEigenCholesky},
-                                                     });
-  return table;
+                                                          {"eigen", MakeEigenCholesky},
+                                                      });
+  return kTable;
 }
 
 std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name) {

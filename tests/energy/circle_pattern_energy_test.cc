@@ -105,16 +105,5 @@ TEST_F(CirclePatternEnergyTest, ResidualsAreTheEnergyUpToItsOffset) {
   EXPECT_LT((given - free).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
-TEST_F(CirclePatternEnergyTest, StiffHessianIsAtLeastTheHessian) {
-  const CirclePatternEnergy energy(t(), angles_);
-  SparseMatrix lower, stiff;
-  energy.Hessian(rho_.data(), &lower);
-  energy.StiffHessian(rho_.data(), &stiff);
-  const SparseMatrix difference = stiff - lower;
-  EXPECT_GT(difference.diagonal().maxCoeff(), 1e-6);
-  const Eigen::MatrixXd full = SparseMatrix(difference.selfadjointView<Eigen::Lower>());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full).eigenvalues()[0], -1e-12);
-}
-
 }  // namespace
 }  // namespace cirque

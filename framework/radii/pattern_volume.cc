@@ -1,0 +1,116 @@
+#include "cirque/radii/pattern_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "cirque/energy/laplacian_assembler.h"
+#include "cirque/solver/regularization.h"
+#include "cirque/solver/sparse_cholesky.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxIterations = 30, kMaxHalvings = 30;
+constexpr double kKeptShare = 0.05;  ///< of an angle, at least, in one step
+constexpr double kOvershoot =
+    0.5;  ///< slope at the end of a step, relative to its start, that is still accepted
+constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
+
+/// The interior edges' angles and the Newton step that moves them.
+class Volume {
+ public:
+  Volume(const Triangulation& t, const CoherentAngles& angles) : num_faces_(t.num_faces()) {
+    for (const Index h : t.edge_halfedge) {
+      const Index g = t.twin[h];
+      if (g == kNone) continue;
+      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), angles.value[h],
+                        angles.value[g], 0, 0, 0});
+    }
+  }
+
+  /// The normal equations of the least-squares problem at the present angles.
+  void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) {
+    LaplacianAssembler laplacian(num_faces_, edges_.size());
+    right_side->setZero(num_faces_);
+    for (Edge& e : edges_) {
+      const double sin_i = std::sin(e.phi_i), sin_j = std::sin(e.phi_j);
+      e.weight = sin_i * sin_j / std::sin(e.phi_i + e.phi_j);
+      e.log_ratio = std::log(sin_j / sin_i);
+      laplacian.Add(e.i, e.j, e.weight);
+      (*right_side)[e.i] += e.weight * e.log_ratio;
+      (*right_side)[e.j] -= e.weight * e.log_ratio;
+    }
+    laplacian.Assemble(lower);
+  }
+
+  /// Moves the angles along the step that these multipliers give, as far as they stay positive and
+  /// V rises.
+  void Step(const Eigen::VectorXd& rho) {
+    double t = 1;
+    for (Edge& e : edges_) {
+      e.step = e.weight * (e.log_ratio - (rho[e.i] - rho[e.j]));
+      t = std::min({t, LongestStep(e.phi_i, e.step), LongestStep(e.phi_j, -e.step)});
+    }
+    const double slope = SlopeAt(0);
+    for (int i = 0; i < kMaxHalvings && SlopeAt(t) < -kOvershoot * slope; ++i) t *= 0.5;
+    for (Edge& e : edges_) {
+      e.phi_i += t * e.step;
+      e.phi_j -= t * e.step;
+    }
+  }
+
+ private:
+  struct Edge {
+    int i, j;             ///< the faces beside it
+    double phi_i, phi_j;  ///< their corner angles opposite it [rad]
+    double weight, log_ratio, step;
+  };
+
+  static double LongestStep(double angle, double step) {
+    return step < 0 ? -(1 - kKeptShare) * angle / step : std::numeric_limits<double>::infinity();
+  }
+
+  /// dV/dt after a share t of the step.
+  double SlopeAt(double t) const {
+    double slope = 0;
+    for (const Edge& e : edges_) {
+      slope += e.step * std::log(std::sin(e.phi_j - t * e.step) / std::sin(e.phi_i + t * e.step));
+    }
+    return slope;
+  }
+
+  int num_faces_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace
+
+int MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
+                          const CirclePatternEnergy& energy, double gradient_max,
+                          Eigen::VectorXd* rho) {
+  Volume volume(t, angles);
+  const auto cholesky = MakeCholesky();
+  HessianShift shift(energy);
+  SparseMatrix lower;
+  Eigen::VectorXd right_side, gradient(t.num_faces());
+  rho->setZero(t.num_faces());
+  double before = std::numeric_limits<double>::infinity(), last = before;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    volume.Linearize(&lower, &right_side);
+    if (!cholesky->Factorize(shift.Apply(lower))) break;
+    const Eigen::VectorXd multipliers = cholesky->Solve(right_side);
+    if (!multipliers.allFinite()) break;
+    *rho = multipliers;
+    energy.Gradient(rho->data(), gradient.data());
+    const double now = gradient.lpNorm<Eigen::Infinity>();
+    if (now <= gradient_max || now > kLeastProgress * before) break;
+    before = last;
+    last = now;
+    volume.Step(*rho);
+  }
+  return cholesky->factorizations();
+}
+
+}  // namespace cirque
