@@ -6,8 +6,9 @@
 namespace cirque {
 
 /// The corner angles of the Euclidean triangles with these edge lengths [rad], computed without
-/// cancellation for needles (Kahan). A face that violates the triangle inequality gets angles 0, 0,
-/// pi, the pi opposite its longest edge.
+/// cancellation for needles (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle",
+/// 2014). A face that violates the triangle inequality gets angles 0, 0, pi, the pi opposite its
+/// longest edge.
 CornerAngles MeasureCornerAngles(const Triangulation& triangulation, const EdgeLengths& lengths);
 
 }  // namespace cirque

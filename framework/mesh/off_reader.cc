@@ -29,7 +29,7 @@ class OffParser {
     for (long long f = 0; status.ok() && f < num_faces_; ++f) status = ParseFace(f);
     if (status.ok() && scanner_.NextLine()) {
       status = scanner_.Error(
-          fmt::format("the header promises {} vertices and {} faces, but more lines follow; "
+          fmt::format("more lines follow than the header promises (vertices: {}, faces: {}); "
                       "correct the header",
                       num_vertices_, num_faces_));
     }

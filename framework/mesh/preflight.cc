@@ -79,7 +79,10 @@ std::vector<std::vector<Index>> CollectComponents(const PolygonSoup& soup) {
 /// V - E + F = 2 components - 2 genus - loops; a one-sided surface has crosscaps instead of two
 /// sides a handle.
 Index Genus(const PreflightReport& report, std::size_t used_vertices) {
-  if (!report.non_manifold_edges.empty() || !report.non_manifold_vertices.empty()) return kNone;
+  if (!report.non_manifold_edges.empty() || !report.non_manifold_vertices.empty() ||
+      !report.repeated_vertex_faces.empty()) {
+    return kNone;
+  }
   const Index euler = static_cast<Index>(used_vertices) - report.num_edges + report.num_triangles;
   const Index crosscaps = 2 * report.components - report.boundary_loops - euler;
   return report.orientable ? crosscaps / 2 : crosscaps;

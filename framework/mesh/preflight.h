@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cirque/core/status.h"
@@ -9,28 +10,35 @@
 
 namespace cirque {
 
-/// Everything about a mesh that decides whether it can be parameterized. Lists hold 0-based ids of
-/// the soup.
+/// Everything about a mesh that decides whether it can be parameterized. Lists hold ids of the
+/// soup, counted from 0, in increasing order.
 struct PreflightReport {
   Index num_vertices = 0, num_polygons = 0, num_triangles = 0, num_edges = 0;
-  std::vector<Index> non_finite_vertices, isolated_vertices, duplicate_vertices;
-  std::vector<Index> repeated_vertex_faces, zero_area_faces;
-  std::vector<std::pair<Index, Index>> non_manifold_edges;
-  std::vector<Index> non_manifold_vertices;
-  std::vector<Index> reoriented_faces;  ///< disoriented faces, turned around by the repair
-  Index components = 0;
+  std::vector<Index> non_finite_vertices;
+  std::vector<Index> isolated_vertices;      ///< of no face; set aside by the repair
+  std::vector<Index> duplicate_vertices;     ///< at the place of an earlier one; legal, left apart
+  std::vector<Index> repeated_vertex_faces;  ///< left out of all that follows
+  std::vector<Index> zero_area_faces;  ///< twice the area <= 1e-12 (longest edge)^2, in any split
+  std::vector<std::pair<Index, Index>> non_manifold_edges;  ///< of more than two faces
+  std::vector<Index> non_manifold_vertices;  ///< whose corners do not form one fan or one cycle
+  std::vector<Index> reoriented_faces;       ///< turned around by the repair
+  Index components = 0;                      ///< faces that share a vertex belong together
   bool orientable = true;
   Index boundary_loops = 0;
-  Index genus = 0;
+  Index genus = 0;  ///< of all components together: handles, or crosscaps when not orientable;
+                    ///< kNone when this is not a manifold
 
-  std::string Text()
-      const;  ///< a few lines for people, vertex and face numbers as in the file (1-based for OBJ)
+  /// A few lines for people; vertices and faces are counted from 1 in the file's order (in OBJ:
+  /// their numbers in the file).
+  std::string Text() const;
 };
 
 /// Judges the soup and, where nothing has to be guessed, repairs it: isolated vertices are set
-/// aside, faces are reoriented consistently (like the majority), polygons are split into triangle
-/// fans. Whatever else is wrong is refused with what, where and what to do. The report is filled in
-/// either case.
+/// aside; faces are turned around to agree with the majority of their neighbours (with the first
+/// face when there is none); polygons are split into the fans of their first corners, or of the
+/// first ones that avoid triangles of zero area. Everything else is refused, all problems in one
+/// message: what, where (counted from 1) and what to do. The report is filled in either case. O(F +
+/// V). The soup must be one: indices in range, at least 3 corners a polygon.
 StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report);
 
 }  // namespace cirque

@@ -12,9 +12,8 @@ std::string AddPolygon(const std::vector<std::int64_t>& corners, PolygonSoup* so
   const auto num_vertices = static_cast<std::int64_t>(soup->position.size());
   for (const std::int64_t v : corners) {
     if (v < 0 || v >= num_vertices) {
-      return fmt::format(
-          "vertex index {}, but the file has {} vertices, counted from 0; correct the index", v,
-          num_vertices);
+      return fmt::format("expected a vertex index from 0 to {}, got {}; correct the index",
+                         num_vertices - 1, v);
     }
   }
   for (const std::int64_t v : corners) soup->corner.push_back(static_cast<Index>(v));

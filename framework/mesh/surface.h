@@ -21,12 +21,12 @@ struct Surface {
       soup_polygon;  ///< per face: the polygon it is a part of; faces keep the soup's order
 };
 
-/// The Euclidean length of every edge.
+/// The Euclidean length of every edge, without underflow or overflow.
 EdgeLengths MeasureEdgeLengths(const Surface& surface);
 
 /// The soup of the surface's own triangles on all of the input's points (isolated ones too, in the
 /// input's order), with the given UVs as texture coordinates: equal UVs of the corners at one
-/// vertex are written once. What circle_patterns writes as OBJ.
+/// vertex are written once. UVs must be finite. What circle_patterns writes as OBJ.
 PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const CornerUv& uv);
 
 }  // namespace cirque

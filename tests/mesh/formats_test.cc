@@ -73,11 +73,11 @@ TEST(OffReader, NamesLineAndRemedyOfMalformedInput) {
   EXPECT_EQ(Message(ParseOff, "OFF\n1 1 0\n0 0 0\n3 0 0\n"),
             "m:4: expected 3 vertex indices, as the line says, got the end of the line");
   EXPECT_EQ(Message(ParseOff, "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
-            "m:4: vertex index 1, but the file has 1 vertices, counted from 0; correct the index");
+            "m:4: expected a vertex index from 0 to 0, got 1; correct the index");
   EXPECT_EQ(Message(ParseOff, "OFF\n1 1 0\n0 0 0\n2 0 0\n"),
             "m:4: a face needs at least 3 corners, this one has 2; complete or remove it");
   EXPECT_EQ(Message(ParseOff, "OFF\n1 0 0\n0 0 0\n3 0 0 0\n"),
-            "m:4: the header promises 1 vertices and 0 faces, but more lines follow; correct the "
+            "m:4: more lines follow than the header promises (vertices: 1, faces: 0); correct the "
             "header");
 }
 
@@ -157,7 +157,7 @@ TEST(PlyReader, NamesPlaceAndRemedyOfMalformedInput) {
             "m:11: a list of length -1; the file is damaged");
   EXPECT_EQ(Message(ParsePly, head + "0 0 0\n3 0 0 0.5\n"), "m:11: vertex index 0.5");
   EXPECT_EQ(Message(ParsePly, head + "0 0 0\n3 0 0 1\n"),
-            "m:11: vertex index 1, but the file has 1 vertices, counted from 0; correct the index");
+            "m:11: expected a vertex index from 0 to 0, got 1; correct the index");
   EXPECT_EQ(Message(ParsePly, head + "0 0 0\n3 0 0 0\n9\n"),
             "m:12: more lines follow than the header promises; correct the header");
 }

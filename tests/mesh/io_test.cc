@@ -24,7 +24,7 @@ using ::testing::StartsWith;
 class MeshFile : public ::testing::TestWithParam<std::string> {
  protected:
   std::string Path(const std::string& extension) const {
-    return ::testing::TempDir() + "cirque_io_test." + extension;
+    return testing::TempPath("io_test." + extension);
   }
   void TearDown() override {
     for (const std::string& extension : ReadableExtensions()) {
@@ -135,7 +135,7 @@ TEST(MeshIo, TheExtensionDecidesInAnyCase) {
 }
 
 TEST(MeshIo, AFolderIsNoMesh) {
-  const std::string folder = ::testing::TempDir() + "cirque_folder.obj";
+  const std::string folder = testing::TempPath("folder.obj");
   std::filesystem::create_directory(folder);
   EXPECT_EQ(ReadMesh(folder).status().message(), folder + ": cannot read: Is a directory");
   std::filesystem::remove(folder);

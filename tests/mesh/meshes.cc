@@ -1,7 +1,11 @@
 #include "tests/mesh/meshes.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <utility>
+
+#include <gtest/gtest.h>
 
 namespace cirque::testing {
 
@@ -56,5 +60,9 @@ PolygonSoup Ring(Index n, bool twisted) {
 }
 
 PolygonSoup OneTriangle() { return MakeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}); }
+
+std::string TempPath(const std::string& name) {
+  return ::testing::TempDir() + std::to_string(getpid()) + "_" + name;
+}
 
 }  // namespace cirque::testing

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <string>
 #include <vector>
 
 #include "cirque/mesh/polygon_soup.h"
@@ -22,5 +22,8 @@ PolygonSoup Ring(Index n, bool twisted);
 
 /// One triangle, its vertices in the plane z = 0.
 PolygonSoup OneTriangle();
+
+/// A file name for this process alone.
+std::string TempPath(const std::string& name);
 
 }  // namespace cirque::testing

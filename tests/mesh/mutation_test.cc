@@ -93,7 +93,7 @@ bool ExpectAMeshOrAMessage(const std::string& path) {
 }
 
 void MutateManyTimes(const std::string& extension, const std::string& valid) {
-  const std::string path = ::testing::TempDir() + "cirque_mutation_test." + extension;
+  const std::string path = testing::TempPath("mutation_test." + extension);
   std::mt19937 random(7);
   ASSERT_TRUE(WriteFileAtomically(path, valid).ok());
   ASSERT_TRUE(ReadMesh(path).ok());
@@ -113,7 +113,7 @@ TEST(MutatedFile, OfEveryWritableFormatIsAMeshOrAMessage) {
   PolygonSoup torus = testing::Torus();
   for (const std::string& extension : WritableExtensions()) {
     SCOPED_TRACE(extension);
-    const std::string path = ::testing::TempDir() + "cirque_mutation_source." + extension;
+    const std::string path = testing::TempPath("mutation_source." + extension);
     ASSERT_TRUE(WriteMesh(path, torus).ok());
     const StatusOr<std::string> valid = ReadFileContent(path);
     ASSERT_TRUE(valid.ok());
@@ -132,7 +132,7 @@ TEST(MutatedFile, OfTheOtherFormatsIsAMeshOrAMessage) {
 TEST(MutatedFile, NoiseIsAMeshOrAMessage) {
   std::mt19937 random(11);
   for (const std::string& extension : ReadableExtensions()) {
-    const std::string path = ::testing::TempDir() + "cirque_mutation_noise." + extension;
+    const std::string path = testing::TempPath("mutation_noise." + extension);
     for (std::size_t size = 0; size < 300; ++size) {
       std::string noise(size, ' ');
       for (char& byte : noise) byte = static_cast<char>(random() % 256);
