@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -102,6 +104,7 @@ FanMesh Reorder(const FanMesh& out, const Correspondence& correspondence) {
 
 Displacement ComparePositions(const std::vector<Eigen::Vector3d>& in,
                               const std::vector<Eigen::Vector3d>& out, double tolerance) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : in) box.extend(p);
   const double extent = box.isEmpty() ? 0.0 : box.diagonal().norm();
@@ -109,9 +112,9 @@ Displacement ComparePositions(const std::vector<Eigen::Vector3d>& in,
   Displacement result;
   for (std::size_t v = 0; v < in.size(); ++v) {
     const double distance = (in[v] - out[v]).norm();
-    // Written so that a NaN counts as moved.
-    if (!(distance <= tolerance * diagonal)) result.moved.push_back(static_cast<Index>(v));
-    if (distance > 0) result.largest = std::max(result.largest, distance / diagonal);
+    const double relative = std::isfinite(distance) ? distance / diagonal : kInfinity;
+    if (relative > tolerance) result.moved.push_back(static_cast<Index>(v));
+    result.largest = std::max(result.largest, relative);
   }
   return result;
 }

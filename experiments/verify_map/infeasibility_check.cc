@@ -152,6 +152,7 @@ Sides SumSides(const InfeasibilityProof& proof, const Surface& surface) {
 
 void CheckInequality(const InfeasibilityProof& proof, const Surface& surface, ProofReport* report) {
   const Sides sides = SumSides(proof, surface);
+  report->evaluated = true;
   const Fixed margin = sides.left - sides.right;
   report->left = Rounded(sides.left);
   report->right = Rounded(sides.right);

@@ -14,10 +14,11 @@ struct ProofReport {
   std::vector<std::string> errors;  ///< why it is rejected; empty for an accepted one
   Index num_triangles = 0;
   double epsilon_over_pi = 0;
-  double left = 0;     ///< sum_f y_f + sum_v y_v (y_v > 0 ? lower : upper), rounded for display
-  double right = 0;    ///< sum_e max over Q_e of (A'y)_e . a, likewise
-  double margin = 0;   ///< left - right, rounded once from its exact value
-  Index num_flat = 0;  ///< inner vertices constrained to exactly 2 pi
+  bool evaluated = false;  ///< whether the proof was well-formed, so that what follows was computed
+  double left = 0;         ///< sum_f y_f + sum_v y_v (y_v > 0 ? lower : upper), rounded for display
+  double right = 0;        ///< sum_e max over Q_e of (A'y)_e . a, likewise
+  double margin = 0;       ///< left - right, rounded once from its exact value
+  Index num_flat = 0;      ///< inner vertices constrained to exactly 2 pi
   std::vector<Index> cones;       ///< inner vertices constrained to anything else
   std::vector<Index> prescribed;  ///< boundary vertices held to less than (0, corners * pi)
 

@@ -1,4 +1,5 @@
 // Independent checker of UV maps and of certificates of infeasibility.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "experiments/verify_map/report_text.h"
 #include "experiments/verify_map/verify.h"
 
-DEFINE_string(json, "", "write the report as JSON to this file; '--json' alone: to the terminal");
+DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");
@@ -56,6 +57,23 @@ const std::vector<std::string>& FlagNames() {
                                                  "require_rigid_seams",
                                                  "help"};
   return names;
+}
+
+/// gflags' own help names the source file's path and writes 1e-06 with seventeen digits.
+void PrintHelp() {
+  fmt::print("{}\n\n", kUsage);
+  for (const std::string& name : FlagNames()) {
+    const auto info = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
+    const std::string value = name == "json"          ? "[=FILE]"
+                              : info.type == "string" ? "=FILE"
+                              : info.type == "double" ? "=NUMBER"
+                                                      : "";
+    std::string description = name == "help" ? "show this" : info.description;
+    if (info.type == "double") {
+      description += fmt::format("; default {:g}", std::stod(info.default_value));
+    }
+    fmt::print("  {:<28}{}\n", "--" + name + value, description);
+  }
 }
 
 /// Sets the flags among the arguments and returns the rest. gflags' own parser would end the
@@ -139,11 +157,10 @@ int VerifyFiles(const std::vector<std::string>& files) {
 }
 
 int Main(int argc, char** argv) {
-  gflags::SetUsageMessage(kUsage);
   const StatusOr<std::vector<std::string>> files = ParseArguments(argc, argv);
   if (!files.ok()) return Complain(files.status());
   if (FLAGS_help) {
-    gflags::ShowUsageWithFlagsRestrict(argv[0], "verify_map/main");
+    PrintHelp();
     return kValid;
   }
   const bool proof = !FLAGS_infeasible.empty();

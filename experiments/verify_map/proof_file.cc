@@ -49,10 +49,15 @@ Status ReadArray(const Json& object, const std::string& key, std::vector<T>* val
 StatusOr<InfeasibilityProof> ParseProof(const std::string& json) {
   const Json root = Json::parse(json, nullptr, /*allow_exceptions=*/false);
   if (root.is_discarded() || !root.is_object()) return Status::InvalidInput("not a JSON object");
+  const auto outcome = root.find("outcome");
+  if (outcome == root.end() || *outcome != "infeasible") {
+    return Status::InvalidInput(
+        fmt::format("outcome: {} instead of \"infeasible\"; only such a certificate holds a proof",
+                    outcome == root.end() ? "nothing" : outcome->dump()));
+  }
   const auto proof_json = root.find("infeasibility");
   if (proof_json == root.end() || !proof_json->is_object()) {
-    return Status::InvalidInput(
-        "no member 'infeasibility': this certificate proves no infeasibility");
+    return Status::InvalidInput("infeasibility: an object is needed");
   }
   InfeasibilityProof proof;
   const StatusOr<double> epsilon = ReadNumber(*proof_json, "epsilon_over_pi");

@@ -196,7 +196,9 @@ TEST(VerifyMapInfeasibility, CertificatesAreReadAndTheirFaultsNamed) {
   const auto message = [](const std::string& text) { return ParseProof(text).status().message(); };
   EXPECT_EQ(message(json("[1, null]")), "infeasibility.face_multiplier[1]: null is no number");
   EXPECT_THAT(message(json("{}")), HasSubstr("face_multiplier: an array is needed"));
-  EXPECT_THAT(message("{\"outcome\": \"ok\"}"), HasSubstr("proves no infeasibility"));
+  EXPECT_THAT(message(R"({"outcome": "ok"})"), HasSubstr("outcome: \"ok\" instead of"));
+  EXPECT_THAT(message(R"({"infeasibility": {}})"), HasSubstr("outcome: nothing instead of"));
+  EXPECT_THAT(message(R"({"outcome": "infeasible"})"), HasSubstr("infeasibility: an object"));
   EXPECT_EQ(message("{ not json"), "not a JSON object");
 }
 
