@@ -1,7 +1,8 @@
 #include "experiments/verify_map/overlap_check.h"
 
 #include <algorithm>
-#include <array>
+#include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
 

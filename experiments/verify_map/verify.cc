@@ -12,6 +12,19 @@
 namespace cirque::verify_map {
 namespace {
 
+/// A NaN as tolerance would let everything pass.
+Status CheckTolerances(const VerifyOptions& options) {
+  const std::pair<const char*, double> tolerances[] = {
+      {"position_tolerance", options.position_tolerance},
+      {"angle_tolerance", options.angle_tolerance},
+      {"seam_tolerance", options.seam_tolerance}};
+  for (const auto& [name, value] : tolerances) {
+    if (value >= 0) continue;
+    return Status::InvalidInput(fmt::format("{} = {}: a number >= 0 is needed", name, value));
+  }
+  return {};
+}
+
 Status CheckInput(const PolygonSoup& in) {
   if (in.num_polygons() == 0) return Status::InvalidInput("no faces; nothing to map");
   for (std::size_t v = 0; v < in.position.size(); ++v) {
@@ -125,6 +138,8 @@ std::string MapReport::Verdict() const {
 
 StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
                               const VerifyOptions& options) {
+  const Status tolerances = CheckTolerances(options);
+  if (!tolerances.ok()) return tolerances;
   const Status input = CheckInput(in);
   if (!input.ok()) return input.In("IN");
   const StatusOr<FanMesh> in_mesh = FanTriangulate(in), out_mesh = FanTriangulate(out);

@@ -49,8 +49,8 @@ struct MapReport {
 };
 
 /// Judges the map that OUT's texture coordinates are of the surface IN. A wrong map is a report
-/// with errors; a status is returned when IN itself cannot be mapped: no faces, not an orientable
-/// manifold, coordinates that are not finite.
+/// with errors; a status is returned when IN itself cannot be mapped (no faces, not an orientable
+/// manifold, coordinates that are not finite) or a tolerance is negative or NaN.
 StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
                               const VerifyOptions& options);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -163,6 +164,13 @@ TEST(VerifyMapErrors, NearlyDegenerateTrianglesAreJudgedExactly) {
   ASSERT_EQ(b.x() * c.y() - b.y() * c.x(), 0.0);
   EXPECT_EQ(Judge(in, WithVertexUv(in, {o, c, b})).Verdict(), "valid (injective)");
   EXPECT_THAT(Judge(in, WithVertexUv(in, {o, b, c})).Verdict(), HasSubstr("flipped"));
+}
+
+TEST(VerifyMapErrors, ANaNAsToleranceDoesNotLetEverythingPass) {
+  VerifyOptions options;
+  options.angle_tolerance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(VerifyMap(Sheet(4), GoodMap(), options).status().message(),
+            "angle_tolerance = nan: a number >= 0 is needed");
 }
 
 TEST(VerifyMapErrors, AnInputThatIsNoSurfaceIsBadInput) {
