@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/core/infeasibility.h"
+#include "cirque/core/status.h"
+#include "cirque/mesh/polygon_soup.h"
+
+namespace cirque::verify_map {
+
+/// What became of a proof that a mesh has no coherent angles.
+struct ProofReport {
+  std::vector<std::string> errors;  ///< why it is rejected; empty for an accepted one
+  Index num_triangles = 0;
+  double epsilon_over_pi = 0;
+  bool evaluated = false;  ///< whether the proof was well-formed, so that what follows was computed
+  double left = 0;         ///< sum_f y_f + sum_v y_v (y_v > 0 ? lower : upper), rounded for display
+  double right = 0;        ///< sum_e max over Q_e of (A'y)_e . a, likewise
+  double margin = 0;       ///< left - right, rounded once from its exact value
+  Index num_flat = 0;      ///< inner vertices constrained to exactly 2 pi
+  std::vector<Index> cones;       ///< inner vertices constrained to anything else
+  std::vector<Index> prescribed;  ///< boundary vertices held to less than (0, corners * pi)
+
+  bool accepted() const { return errors.empty(); }
+  std::string Verdict() const;
+};
+
+/// Checks the inequality of core/infeasibility.h in exact arithmetic on the triangles of `in` (fans
+/// of its polygons), with adjacency found here. All numbers in the proof are taken to be exactly
+/// the doubles they are.
+///
+/// Epsilon > 0: coherent angles with that margin lie in the closed sets Q_e, so the left side must
+/// be strictly larger. Epsilon = 0: coherent angles are positive and alpha_l + alpha_r < pi (at the
+/// boundary: alpha < pi), so every alpha_e lies in the interior of Q_e. A linear function that is
+/// not zero takes its maximum over Q_e at the rim only; so as soon as (A'y)_e is not zero on some
+/// edge, coherent angles make sum_e (A'y)_e . alpha_e strictly smaller than the right side, and
+/// left >= right is already a contradiction.
+///
+/// A status is returned when `in` is not an orientable manifold.
+StatusOr<ProofReport> CheckProof(const InfeasibilityProof& proof, const PolygonSoup& in);
+
+/// Reads the "infeasibility" member of a certificate. Errors name the key and what was expected.
+StatusOr<InfeasibilityProof> ReadProof(const std::string& path);
+StatusOr<InfeasibilityProof> ParseProof(const std::string& json);
+
+std::string ToText(const ProofReport& report);
+std::string ToJson(const ProofReport& report);
+
+}  // namespace cirque::verify_map

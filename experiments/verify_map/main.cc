@@ -1,0 +1,178 @@
+// Independent checker of UV maps and of certificates of infeasibility.
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+#include "cirque/core/atomic_file.h"
+#include "cirque/core/text.h"
+#include "cirque/mesh/io.h"
+
+#include "experiments/verify_map/infeasibility_check.h"
+#include "experiments/verify_map/report_text.h"
+#include "experiments/verify_map/verify.h"
+
+DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
+DEFINE_string(targets, "",
+              "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
+              "misses one is invalid");
+DEFINE_string(infeasible, "", "certificate of infeasibility to check against the one mesh given");
+DEFINE_double(position_tolerance, 1e-6,
+              "how far a vertex may be off, as a fraction of the bounding box's diagonal");
+DEFINE_double(angle_tolerance, 1e-6, "how far an angle sum may be off 2 pi or its target [rad]");
+DEFINE_double(seam_tolerance, 1e-6,
+              "how far the lengths of a seam's two sides may differ, relatively");
+DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
+DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
+DECLARE_bool(help);
+
+namespace cirque::verify_map {
+namespace {
+
+constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
+
+const char kUsage[] =
+    "Checks a UV map, or a proof that there is none, sharing no code with what made it.\n"
+    "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
+    "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
+    "angles?\n"
+    "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input.";
+
+int Complain(const Status& status) {
+  fmt::print(stderr, "verify_map: {}\n", status.message());
+  return kBadInput;
+}
+
+const std::vector<std::string>& FlagNames() {
+  static const std::vector<std::string> names = {"json",
+                                                 "targets",
+                                                 "infeasible",
+                                                 "position_tolerance",
+                                                 "angle_tolerance",
+                                                 "seam_tolerance",
+                                                 "require_injective",
+                                                 "require_rigid_seams",
+                                                 "help"};
+  return names;
+}
+
+/// gflags' own help names the source file's path and writes 1e-06 with seventeen digits.
+void PrintHelp() {
+  fmt::print("{}\n\n", kUsage);
+  for (const std::string& name : FlagNames()) {
+    const auto info = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
+    const std::string value = name == "json"          ? "[=FILE]"
+                              : info.type == "string" ? "=FILE"
+                              : info.type == "double" ? "=NUMBER"
+                                                      : "";
+    std::string description = name == "help" ? "show this" : info.description;
+    if (info.type == "double") {
+      description += fmt::format("; default {:g}", std::stod(info.default_value));
+    }
+    fmt::print("  {:<28}{}\n", "--" + name + value, description);
+  }
+}
+
+/// Sets the flags among the arguments and returns the rest. gflags' own parser would end the
+/// process with status 1, which here means an invalid map.
+StatusOr<std::vector<std::string>> ParseArguments(int argc, char** argv) {
+  std::vector<std::string> rest;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::size_t begin = word.find_first_not_of('-');
+    if (begin == 0 || begin == std::string::npos || begin > 2) {
+      rest.push_back(word);
+      continue;
+    }
+    const std::size_t equals = word.find('=');
+    const std::string name =
+        word.substr(begin, equals == std::string::npos ? equals : equals - begin);
+    const auto& known = FlagNames();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      return Status::InvalidInput(UnknownName("flag", name, known));
+    }
+    const bool is_bool = gflags::GetCommandLineFlagInfoOrDie(name.c_str()).type == "bool";
+    std::string value = is_bool ? "true" : "-";
+    if (equals != std::string::npos) {
+      value = word.substr(equals + 1);
+    } else if (!is_bool && name != "json") {
+      if (++i == argc) return Status::InvalidInput(fmt::format("--{} needs a value", name));
+      value = argv[i];
+    }
+    if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty()) {
+      return Status::InvalidInput(
+          fmt::format("--{}: '{}' is no value for it; see --help", name, value));
+    }
+  }
+  return rest;
+}
+
+/// Prints or writes a report, and says by the exit status how it ended.
+template <class Report>
+int Conclude(const Report& report, bool good) {
+  if (FLAGS_json == "-") {
+    fmt::print("{}", ToJson(report));
+  } else {
+    fmt::print("{}", ToText(report));
+    if (!FLAGS_json.empty()) {
+      const Status written = WriteFileAtomically(FLAGS_json, ToJson(report));
+      if (!written.ok()) return Complain(written);
+    }
+  }
+  return good ? kValid : kInvalid;
+}
+
+int VerifyInfeasibility(const std::vector<std::string>& files) {
+  const StatusOr<InfeasibilityProof> proof = ReadProof(FLAGS_infeasible);
+  if (!proof.ok()) return Complain(proof.status());
+  const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
+  if (!in.ok()) return Complain(in.status());
+  const StatusOr<ProofReport> report = CheckProof(*proof, *in);
+  if (!report.ok()) return Complain(report.status());
+  return Conclude(*report, report->accepted());
+}
+
+int VerifyFiles(const std::vector<std::string>& files) {
+  const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
+  if (!in.ok()) return Complain(in.status());
+  const StatusOr<PolygonSoup> out = ReadMesh(files[1]);
+  if (!out.ok()) return Complain(out.status());
+  VerifyOptions options;
+  options.position_tolerance = FLAGS_position_tolerance;
+  options.angle_tolerance = FLAGS_angle_tolerance;
+  options.seam_tolerance = FLAGS_seam_tolerance;
+  options.require_injective = FLAGS_require_injective;
+  options.require_rigid_seams = FLAGS_require_rigid_seams;
+  if (!FLAGS_targets.empty()) {
+    auto targets = ReadTargets(FLAGS_targets, static_cast<Index>(in->position.size()));
+    if (!targets.ok()) return Complain(targets.status());
+    options.targets = *std::move(targets);
+  }
+  const StatusOr<MapReport> report = VerifyMap(*in, *out, options);
+  if (!report.ok()) return Complain(report.status());
+  return Conclude(*report, report->valid());
+}
+
+int Main(int argc, char** argv) {
+  const StatusOr<std::vector<std::string>> files = ParseArguments(argc, argv);
+  if (!files.ok()) return Complain(files.status());
+  if (FLAGS_help) {
+    PrintHelp();
+    return kValid;
+  }
+  const bool proof = !FLAGS_infeasible.empty();
+  if (files->size() != (proof ? 1u : 2u)) {
+    return Complain(Status::InvalidInput(
+        fmt::format("{} files given; write verify_map IN OUT, or verify_map --infeasible CERT IN",
+                    files->size())));
+  }
+  return proof ? VerifyInfeasibility(*files) : VerifyFiles(*files);
+}
+
+}  // namespace
+}  // namespace cirque::verify_map
+
+int main(int argc, char** argv) { return cirque::verify_map::Main(argc, argv); }

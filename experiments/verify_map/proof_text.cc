@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cirque/core/text.h"
+
+#include "experiments/verify_map/findings.h"
+#include "experiments/verify_map/infeasibility_check.h"
+
+namespace cirque::verify_map {
+namespace {
+
+std::string Line(const std::string& name, const std::string& text) {
+  return fmt::format("{:<18}{}\n", name, text);
+}
+
+std::string InequalityLines(const ProofReport& report) {
+  std::string text =
+      Line("constraints", fmt::format("2 pi at {}", Count(report.num_flat, "inner vertex")));
+  if (!report.cones.empty()) {
+    text += Line(
+        "", fmt::format("other than 2 pi at {} ({})", Count(report.cones.size(), "inner vertex"),
+                        IdList(report.cones, static_cast<int>(report.cones.size()))));
+  }
+  if (!report.prescribed.empty()) {
+    text += Line(
+        "", fmt::format("prescribed at {} ({})", Count(report.prescribed.size(), "boundary vertex"),
+                        IdList(report.prescribed)));
+  }
+  return text +
+         Line("inequality", fmt::format("left {:.17g}, right {:.17g}, difference {:.6g} (exact)",
+                                        report.left, report.right, report.margin));
+}
+
+}  // namespace
+
+std::string ProofReport::Verdict() const {
+  if (!accepted()) return "REJECTED: " + Join(errors, "; ");
+  if (epsilon_over_pi == 0) return "accepted (no coherent angles)";
+  return fmt::format("accepted (no coherent angles with margin eps = {:.6g} pi)", epsilon_over_pi);
+}
+
+std::string ToText(const ProofReport& report) {
+  std::string text = Line("triangles", fmt::format("{}", report.num_triangles));
+  text +=
+      Line("margin eps",
+           fmt::format("{:.6g} pi{}", report.epsilon_over_pi,
+                       report.epsilon_over_pi > 0 ? " (proves nothing for smaller margins)" : ""));
+  if (report.evaluated) text += InequalityLines(report);
+  return text + "verdict: " + report.Verdict() + "\n";
+}
+
+std::string ToJson(const ProofReport& report) {
+  nlohmann::ordered_json json;
+  json["accepted"] = report.accepted();
+  json["verdict"] = report.Verdict();
+  json["errors"] = report.errors;
+  json["triangles"] = report.num_triangles;
+  json["epsilon_over_pi"] = report.epsilon_over_pi;
+  const auto known = [&](double x) { return report.evaluated ? nlohmann::json(x) : nullptr; };
+  json["left"] = known(report.left);
+  json["right"] = known(report.right);
+  json["margin"] = known(report.margin);
+  json["flat_vertices"] = report.num_flat;
+  json["cones"] = report.cones;
+  json["prescribed_boundary_vertices"] = report.prescribed;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace cirque::verify_map

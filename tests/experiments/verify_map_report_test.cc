@@ -1,0 +1,60 @@
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "experiments/verify_map/infeasibility_check.h"
+#include "experiments/verify_map/report_text.h"
+#include "tests/experiments/verify_map_fixtures.h"
+
+namespace cirque::verify_map {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(VerifyMapReport, JsonSaysWhatTheTextSays) {
+  const PolygonSoup map = SquareStrip({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0, -1}});
+  const MapReport report = Judge(map, map);
+  const Json json = Json::parse(ToJson(report));
+  EXPECT_EQ(json["valid"], true);
+  EXPECT_EQ(json["injective"], false);
+  EXPECT_EQ(json["verdict"], report.Verdict());
+  EXPECT_EQ(json["triangles"], 12);
+  EXPECT_EQ(json["wrapped_boundary_vertices_ids"], Json::array({2}));
+  EXPECT_EQ(json["flipped_triangles"], 0);
+  EXPECT_GT(json["boundary_crossings"], 0);
+  EXPECT_EQ(json["boundary_edges"], 14);
+  EXPECT_GT(json["quasi_conformal_mean"], 1);
+  EXPECT_TRUE(json["largest_target_deviation"].is_null());
+  EXPECT_THAT(ToText(report), HasSubstr("1 patch, 1 loop of 14 edges"));
+  EXPECT_THAT(ToText(report),
+              EndsWith("verdict: valid (locally injective, boundary overlaps itself)\n"));
+}
+
+TEST(VerifyMapReport, WhatWasNotJudgedIsAbsent) {
+  PolygonSoup out = Fan(6, kPi / 3);
+  out.texture[0].x() = std::numeric_limits<double>::quiet_NaN();
+  const MapReport report = Judge(out, out);
+  const Json json = Json::parse(ToJson(report));
+  EXPECT_EQ(json["valid"], false);
+  EXPECT_TRUE(json["injective"].is_null());
+  EXPECT_FALSE(json.contains("flipped_triangles"));
+  EXPECT_EQ(json["triangles_not_finite_ids"], Json::array({0}));
+  EXPECT_THAT(ToText(report), ::testing::Not(HasSubstr("orientation")));
+}
+
+TEST(VerifyMapReport, ARejectedProofOfWrongFormHasNoSides) {
+  const StatusOr<ProofReport> report = CheckProof({}, Fan(6, kPi / 3));
+  ASSERT_TRUE(report.ok());
+  const Json json = Json::parse(ToJson(*report));
+  EXPECT_EQ(json["accepted"], false);
+  EXPECT_TRUE(json["left"].is_null());
+  EXPECT_THAT(ToText(*report),
+              EndsWith("verdict: REJECTED: face_multiplier has 0 entries instead of 6\n"));
+}
+
+}  // namespace
+}  // namespace cirque::verify_map
