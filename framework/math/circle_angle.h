@@ -3,10 +3,11 @@
 namespace cirque {
 
 /// The two triangles at an edge, seen from their circumcentres. Circles of radii e^{rho_i} and
-/// e^{rho_j} meet under the exterior angle theta in (0, pi); d = rho_i - rho_j, theta* = pi -
-/// theta. Everything here is free of overflow for |d| up to 1e4 and beyond, theta from 1e-12 to pi
-/// - 1e-12. Source: Bobenko, Springborn, Variational principles for circle patterns, Trans. AMS 356
-/// (2004).
+/// e^{rho_j} meet under the exterior angle theta in (0, pi); d = rho_i - rho_j, let
+/// theta* = pi - theta. Everything here is free of overflow for |d| up to 1e4 and beyond, theta
+/// from 1e-12 to pi - 1e-12.
+///
+/// Source: Bobenko, Springborn, Variational principles for circle patterns, Trans. AMS 356 (2004).
 
 /// The intersection angle of the two circles and what the formulas need of it. Made from the corner
 /// angles it keeps its relative accuracy also where theta* is tiny, which pi - theta would lose.

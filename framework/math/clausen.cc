@@ -11,7 +11,8 @@ namespace cirque {
 namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kPiLow = 0x1.1a62633145c07p-53;  // pi - kPi
+constexpr double kPiLow = 0x1.1a62633145c07p-53;    // pi - kPi
+constexpr double kLog2Low = 0x1.abc9e3b39803fp-56;  // log 2 - ln2
 /// 2 pi in three parts, the first two of 33 bits: their multiples by k < 2^20 are exact.
 constexpr std::array<double, 3> kTwoPiParts = {0x1.921fb544p+2, 0x1.0b4611a6p-32,
                                                0x1.3198a2e037073p-67};
@@ -41,7 +42,7 @@ double NearZero(double x) {
 /// Cl2(pi - y), |y| <= pi / 2.
 double NearPi(double y) {
   const double t = y * y;
-  return y * (std::numbers::ln2 + t * Polynomial(kClausenNearPi, t));
+  return y * (std::numbers::ln2 + (kLog2Low + t * Polynomial(kClausenNearPi, t)));
 }
 
 /// x in [0, 2 pi].

@@ -5,8 +5,8 @@
 namespace cirque {
 
 /// The scalar element functions of the circle-pattern energy at an edge; notation of
-/// circle_angle.h. alpha_i, alpha_j > 0 are coherent angles opposite the edge, theta = pi - alpha_i
-/// - alpha_j > 0.
+/// circle_angle.h. The coherent angles alpha_i, alpha_j > 0 lie opposite the edge and have a
+/// sum below pi; theta = pi - alpha_i - alpha_j.
 
 /// psi(d) = Im Li2(e^{d + i theta}) + Im Li2(e^{-d + i theta})
 ///        = p d + Cl2(theta* + p) + Cl2(theta* - p) - Cl2(2 theta*),

@@ -9,7 +9,8 @@ namespace cirque {
 /// r(t) = sign(t - 1) sqrt(2 D(t)), smooth and increasing also at t = 1, where dr/dt = 1.
 /// Values, derivatives and residuals have relative errors of a few 1e-15, near t = 1 too,
 /// for t from 1e-150 to 1e150 (beyond, squares leave the range of doubles).
-/// t = 0 gives the limits; t < 0 is outside the domain and gives NaN.
+/// Values at t = 0 are the limits (a residual has no derivative there); t < 0 is outside the domain
+/// and gives NaN.
 
 /// Itakura-Saito: IS(t) = t - log t - 1, infinite at 0; slope 1 - 1/t, curvature 1/t^2.
 /// Source: F. Itakura, S. Saito, Analysis synthesis telephony based on the maximum likelihood

@@ -10,9 +10,11 @@ namespace cirque {
 ///
 /// With x4 = 1/sqrt(1 - x.x) and s = x4 x the light ray (v, 1) goes to
 /// v' = v + ((v.s)/(x4+1) - 1) s, v4' = x4 - v.s, and the point is v'/v4'. That quotient cancels
-/// for v near x/|x|; computed is the same map as v -> (1 - y.y) (v - y)/|v - y|^2 - y, y = x / (1 +
-/// sqrt(1 - x.x)), which does not. The image is a unit vector to rounding. Source: Springborn, A
-/// unique representation of polyhedral types, Math. Z. 249 (2005).
+/// for v near x/|x|; computed is the same map in Poincare's ball, which does not:
+///   v -> (1 - y.y) (v - y)/|v - y|^2 - y,  y = x / (1 + sqrt(1 - x.x)).
+/// The image is a unit vector to rounding.
+///
+/// Source: Springborn, A unique representation of polyhedral types, Math. Z. 249 (2005).
 class LorentzBoost {
  public:
   /// |x| < 1; anything else is a broken caller.

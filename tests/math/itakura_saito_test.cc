@@ -17,7 +17,7 @@ using high_precision::RelativeError;
 /// Both sides of 1 at all distances, both sides of the switch to the series, extremes.
 std::vector<double> Arguments() {
   std::vector<double> t = {
-      1e-300, 1e-12, 0.01, 0.5,  0.7, std::nextafter(0.7, 1.0), 1.3, std::nextafter(1.3, 1.0),
+      1e-150, 1e-12, 0.01, 0.5,  0.7, std::nextafter(0.7, 1.0), 1.3, std::nextafter(1.3, 1.0),
       2.0,    1e3,   1e12, 1e150};
   for (const double x : {0x1p-52, 1e-15, 1e-12, 1e-8, 1e-4, 1e-2, 0.1, 0.29, 0.31}) {
     t.push_back(1.0 + x);
