@@ -43,11 +43,13 @@ class Insertion {
     return kNone;
   }
 
-  std::vector<Triangle> RealTriangles() const {
+  /// All triangles, the ghost as kNone.
+  std::vector<Triangle> Triangles() const {
     std::vector<Triangle> triangles;
     triangles.reserve(faces_.size());
-    for (Index f = 0; f < static_cast<Index>(faces_.size()); ++f) {
-      if (GhostCorner(f) == kNone) triangles.push_back(faces_[f].corner);
+    for (const Face& face : faces_) {
+      Triangle& triangle = triangles.emplace_back(face.corner);
+      std::replace(triangle.begin(), triangle.end(), ghost_, kNone);
     }
     return triangles;
   }
@@ -203,7 +205,7 @@ Status LeadWithTriangle(const Points& points, std::vector<Index>* order) {
 
 }  // namespace
 
-StatusOr<std::vector<Triangle>> PlanarDelaunay(const Points& points) {
+StatusOr<std::vector<Triangle>> ClosedPlanarDelaunay(const Points& points) {
   if (const Status status = CheckPoints(points); !status.ok()) return status;
   std::vector<Index> order = HilbertOrder(points);
   if (const Status status = LeadWithTriangle(points, &order); !status.ok()) return status;
@@ -213,7 +215,15 @@ StatusOr<std::vector<Triangle>> PlanarDelaunay(const Points& points) {
     const Index twin = insertion.Insert(order[i]);
     if (twin != kNone) return Coincidence(twin, order[i]);
   }
-  return insertion.RealTriangles();
+  return insertion.Triangles();
+}
+
+StatusOr<std::vector<Triangle>> PlanarDelaunay(const Points& points) {
+  auto triangles = ClosedPlanarDelaunay(points);
+  if (!triangles.ok()) return triangles;
+  std::erase_if(*triangles,
+                [](const Triangle& t) { return std::find(t.begin(), t.end(), kNone) != t.end(); });
+  return triangles;
 }
 
 }  // namespace cirque

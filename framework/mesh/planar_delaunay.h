@@ -25,4 +25,9 @@ using Triangle = std::array<Index, 3>;
 /// points (their numbers are named), all points on one line.
 StatusOr<std::vector<Triangle>> PlanarDelaunay(const std::vector<Eigen::Vector2d>& points);
 
+/// The same and, for every edge of the hull from a to b (the hull on its left), the triangle
+/// (b, a, kNone) whose third corner is the point at infinity: a closed surface, in which kNone may
+/// stand first, second or third.
+StatusOr<std::vector<Triangle>> ClosedPlanarDelaunay(const std::vector<Eigen::Vector2d>& points);
+
 }  // namespace cirque

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cirque/mesh/chart_sampler.h"
 #include "cirque/mesh/generator_table.h"
 #include "cirque/mesh/surface_chart.h"
 
@@ -9,11 +10,6 @@ namespace {
 
 /// Nearer than this share of an edge length no interior vertex comes to the boundary.
 constexpr double kClearance = 0.3;
-
-GeneratorOptions AtLeast(Index min_triangles, GeneratorOptions options) {
-  options.triangles = std::max(options.triangles, min_triangles);
-  return options;
-}
 
 /// A chart of the square [-1, 1]^2, without lift, flatten and spacing.
 SurfaceChart SquareChart() {
@@ -44,7 +40,33 @@ PolygonSoup FlatDelaunayPatch(const GeneratorOptions& options) {
     return 0.5 + (p.head<2>() - Eigen::Vector2d(0.4, 0.3)).norm() / 2;
   };
   chart.allowed = InsideSquare;
-  return MeshChart(chart, AtLeast(kMinTriangles, options));
+  return MeshChart(chart, options);
+}
+
+PolygonSoup BumpyTerrain(const GeneratorOptions& options) {
+  constexpr int kBumps = 25;
+  struct Bump {
+    Eigen::Vector2d centre;
+    double width, height;
+  };
+  UniformRandom random(options.seed);
+  std::vector<Bump> bumps;
+  for (int i = 0; i < kBumps; ++i) {
+    const double x = random(-1, 1), y = random(-1, 1);
+    const double width = random(0.1, 0.35), steepness = random(-0.9, 0.9);
+    bumps.push_back({{x, y}, width, steepness * width});
+  }
+  SurfaceChart chart = SquareChart();
+  chart.lift = [&bumps](const Eigen::Vector2d& p) {
+    double z = 0;
+    for (const Bump& bump : bumps) {
+      z += bump.height * std::exp(-(p - bump.centre).squaredNorm() / (2 * bump.width * bump.width));
+    }
+    return Eigen::Vector3d(p.x(), p.y(), z);
+  };
+  chart.flatten = [](const Eigen::Vector3d& p) { return Eigen::Vector2d(p.head<2>()); };
+  chart.allowed = InsideSquare;
+  return MeshChart(chart, options);
 }
 
 PolygonSoup HexagonalFan(const GeneratorOptions& options) {

@@ -25,7 +25,8 @@ void Relax(const SurfaceChart& chart, Index num_fixed, double edge_length,
   for (const auto& [i, j, k] : chart.triangulate(*points)) {
     const Eigen::Vector3d centroid = (lifted[i] + lifted[j] + lifted[k]) / 3;
     const double area = (lifted[j] - lifted[i]).cross(lifted[k] - lifted[i]).norm() / 2;
-    const double weight = area / std::pow(chart.spacing(centroid), 4);
+    const double spacing = chart.spacing(centroid);
+    const double weight = area / (spacing * spacing * spacing * spacing);
     for (const Index v : {i, j, k}) {
       moment[v] += weight * centroid;
       mass[v] += weight;

@@ -97,6 +97,19 @@ TEST(PlanarDelaunay, EmptyCirclesAgainstAllPoints) {
   }
 }
 
+TEST(PlanarDelaunay, ClosedAtInfinityEveryEdgeHasTwoSides) {
+  const Points points = RandomPoints(200, 8);
+  const auto closed = ClosedPlanarDelaunay(points);
+  const auto hull = PlanarDelaunay(points);
+  ASSERT_TRUE(closed.ok() && hull.ok());
+  std::set<std::pair<Index, Index>> edges;
+  for (const Triangle& t : *closed) {
+    for (int k = 0; k < 3; ++k) EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second);
+  }
+  for (const auto& [tail, tip] : edges) EXPECT_TRUE(edges.contains({tip, tail}));
+  EXPECT_EQ(static_cast<Index>(closed->size() - hull->size()), HullPoints(points));
+}
+
 TEST(PlanarDelaunay, TwentyThousandPoints) {
   const Points points = RandomPoints(20000, 9);
   const auto triangles = PlanarDelaunay(points);
