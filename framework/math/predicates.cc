@@ -26,6 +26,24 @@ std::optional<int> FilteredSign(double determinant, double bound) {
   return std::nullopt;
 }
 
+/// A 3x3 determinant expanded along a column, with the sum of absolute values that bounds its
+/// error.
+class FilteredSum {
+ public:
+  void Add(double factor, double left, double right) {
+    const double magnitude = std::abs(factor);
+    determinant_ += factor * (left - right);
+    permanent_ += magnitude * (std::abs(left) + std::abs(right));
+    largest_ = std::max(largest_, magnitude);
+  }
+  std::optional<int> Sign(double half_ulps) const {
+    return FilteredSign(determinant_, half_ulps * kHalfUlp * permanent_ + kUnderflow * largest_);
+  }
+
+ private:
+  double determinant_ = 0.0, permanent_ = 0.0, largest_ = 1.0;
+};
+
 /// x = mantissa * 2^exponent, mantissa odd (or 0).
 struct Dyadic {
   explicit Dyadic(double x) {
@@ -100,33 +118,23 @@ int OrientationSign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Ei
 
 int InCircleSign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                  const Eigen::Vector2d& d) {
-  const std::array<Eigen::Vector2d, 3> u = {a - d, b - d, c - d};
-  double determinant = 0.0, permanent = 0.0, largest = 1.0;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector2d &v = u[(i + 1) % 3], &w = u[(i + 2) % 3];
-    const double left = v.x() * w.y(), right = v.y() * w.x(), lift = u[i].squaredNorm();
-    determinant += lift * (left - right);
-    permanent += lift * (std::abs(left) + std::abs(right));
-    largest = std::max(largest, lift);
-  }
-  const double bound = 10.1 * kHalfUlp * permanent + kUnderflow * largest;
-  const std::optional<int> sign = FilteredSign(determinant, bound);
+  const Eigen::Vector2d u = a - d, v = b - d, w = c - d;
+  FilteredSum sum;
+  sum.Add(u.squaredNorm(), v.x() * w.y(), v.y() * w.x());
+  sum.Add(v.squaredNorm(), w.x() * u.y(), w.y() * u.x());
+  sum.Add(w.squaredNorm(), u.x() * v.y(), u.y() * v.x());
+  const std::optional<int> sign = sum.Sign(10.1);
   return sign ? *sign : ExactInCircleSign(a, b, c, d);
 }
 
 int OrientationSign3(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                      const Eigen::Vector3d& d) {
-  const std::array<Eigen::Vector3d, 3> u = {b - a, c - a, d - a};
-  double determinant = 0.0, permanent = 0.0, largest = 1.0;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d &v = u[(i + 1) % 3], &w = u[(i + 2) % 3];
-    const double left = v.y() * w.z(), right = v.z() * w.y();
-    determinant += u[i].x() * (left - right);
-    permanent += std::abs(u[i].x()) * (std::abs(left) + std::abs(right));
-    largest = std::max(largest, std::abs(u[i].x()));
-  }
-  const double bound = 7.1 * kHalfUlp * permanent + kUnderflow * largest;
-  const std::optional<int> sign = FilteredSign(determinant, bound);
+  const Eigen::Vector3d u = b - a, v = c - a, w = d - a;
+  FilteredSum sum;
+  sum.Add(u.x(), v.y() * w.z(), v.z() * w.y());
+  sum.Add(v.x(), w.y() * u.z(), w.z() * u.y());
+  sum.Add(w.x(), u.y() * v.z(), u.z() * v.y());
+  const std::optional<int> sign = sum.Sign(7.1);
   return sign ? *sign : ExactOrientationSign3(a, b, c, d);
 }
 

@@ -41,18 +41,26 @@ ChartSampler::ChartSampler(const SurfaceChart& chart, unsigned seed)
 
 void ChartSampler::Measure() {
   rows_.assign(1, 0);
-  for (int i = 0; i < kGrid; ++i) {
+  std::vector<Eigen::Vector3d> last = LiftedLine(0);
+  for (int i = 1; i <= kGrid; ++i) {
+    const std::vector<Eigen::Vector3d> next = LiftedLine(i);
     std::vector<double>& row = cells_.emplace_back(1, 0.);
     for (int j = 0; j < kGrid; ++j) {
-      const double a0 = i / double{kGrid}, a1 = (i + 1) / double{kGrid};
-      const double b0 = j / double{kGrid}, b1 = (j + 1) / double{kGrid};
-      const Eigen::Vector3d first = Lifted(a1, b1) - Lifted(a0, b0);
-      const Eigen::Vector3d second = Lifted(a0, b1) - Lifted(a1, b0);
-      const double spacing = chart_.spacing(Lifted((a0 + a1) / 2, (b0 + b1) / 2));
-      row.push_back(row.back() + first.cross(second).norm() / 2 / (spacing * spacing));
+      const Eigen::Vector3d diagonal = next[j + 1] - last[j], other = last[j + 1] - next[j];
+      const double spacing = chart_.spacing((last[j] + next[j] + last[j + 1] + next[j + 1]) / 4);
+      row.push_back(row.back() + diagonal.cross(other).norm() / 2 / (spacing * spacing));
     }
     rows_.push_back(rows_.back() + row.back());
+    last = next;
   }
+}
+
+std::vector<Eigen::Vector3d> ChartSampler::LiftedLine(int i) const {
+  std::vector<Eigen::Vector3d> line;
+  for (int j = 0; j <= kGrid; ++j) {
+    line.push_back(chart_.lift(chart_.place(i / double{kGrid}, j / double{kGrid})));
+  }
+  return line;
 }
 
 Eigen::Vector2d ChartSampler::Transport(double s, double t) const {

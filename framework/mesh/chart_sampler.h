@@ -40,13 +40,13 @@ class ChartSampler {
   std::vector<Eigen::Vector2d> Interior(Index count, double edge_length);
 
  private:
-  static constexpr int kGrid = 192;  ///< cells of the unit square, each way
+  static constexpr int kGrid = 128;  ///< cells of the unit square, each way
 
   void Measure();
+  std::vector<Eigen::Vector3d> LiftedLine(int i) const;
   void SampleCurve(const std::function<Eigen::Vector2d(double)>& curve, double edge_length,
                    std::vector<Eigen::Vector2d>* points);
   Eigen::Vector2d Transport(double s, double t) const;
-  Eigen::Vector3d Lifted(double a, double b) const { return chart_.lift(chart_.place(a, b)); }
 
   const SurfaceChart& chart_;
   UniformRandom random_;

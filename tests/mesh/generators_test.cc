@@ -58,7 +58,7 @@ TEST_P(EveryGenerator, HasThePromisedTopologyAndSize) {
   ASSERT_TRUE(PromisedTopology().contains(GetParam()));
   const auto [euler_characteristic, loops] = PromisedTopology().at(GetParam());
   const bool handles = euler_characteristic < 1 && loops == 0;
-  for (const Index asked : {handles ? kMinTrianglesWithHandles : kMinTriangles, 731, 4000}) {
+  for (const Index asked : {handles ? kMinTrianglesWithHandles : kMinTriangles, 731, 2500}) {
     for (const unsigned seed : {1u, 2u}) {
       SCOPED_TRACE(fmt::format("{} triangles, seed {}", asked, seed));
       const SoupTopology t = MeasureTopology(Generate(GetParam(), asked, seed));
