@@ -88,7 +88,7 @@ Vector2d CutOval(double t) {
 
 /// The part of the torus with x <= kCut: one handle, one loop.
 SurfaceChart CutTorusChart() {
-  constexpr double kRounding = 1e-9, kClearance = 0.25;
+  constexpr double kRounding = 1e-9;
   SurfaceChart chart = TorusChart();
   const auto lift = chart.lift;
   chart.boundary = {CutOval};

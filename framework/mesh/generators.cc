@@ -41,7 +41,7 @@ const Registry<MeshGenerator>& MeshGenerators() {
 StatusOr<PolygonSoup> GenerateMesh(const std::string& name, const GeneratorOptions& options) {
   const auto generator = MeshGenerators().Find(name);
   if (!generator.ok()) return generator.status();
-  if (options.triangles < 1) {
+  if (options.triangles < 1 || options.triangles > kMaxTriangles) {
     return Status::InvalidInput(fmt::format("mesh generator '{}': {} triangles; ask for at least 1",
                                             name, options.triangles));
   }

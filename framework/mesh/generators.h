@@ -19,7 +19,7 @@ struct GeneratorOptions {
 
 /// Makes a mesh that is manifold, connected, free of isolated vertices and oriented
 /// counter-clockwise as seen from outside or above. The irregular ones have within 10 % the number
-/// of triangles asked for, from the minimum below up to millions; smaller numbers give the minimum.
+/// of triangles asked for, from the minimum below up; smaller numbers give the minimum.
 /// Vertices are numbered as the faces first name them.
 using MeshGenerator = std::function<PolygonSoup(const GeneratorOptions&)>;
 
@@ -27,11 +27,14 @@ using MeshGenerator = std::function<PolygonSoup(const GeneratorOptions&)>;
 /// handles.
 inline constexpr Index kMinTriangles = 20, kMinTrianglesWithHandles = 400;
 
+/// The most that GenerateMesh makes: 32-bit halfedge numbers hold a little more.
+inline constexpr Index kMaxTriangles = 500'000'000;
+
 /// The table of generators, one line an entry in generators.cc; generator_table.h describes each.
 const Registry<MeshGenerator>& MeshGenerators();
 
 /// The mesh of the generator of that name. Errors (invalid input): unknown name (the known ones are
-/// listed), a number of triangles below 1.
+/// listed), a number of triangles below 1 or above kMaxTriangles.
 StatusOr<PolygonSoup> GenerateMesh(const std::string& name, const GeneratorOptions& options);
 
 }  // namespace cirque

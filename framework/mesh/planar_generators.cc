@@ -8,9 +8,6 @@
 namespace cirque {
 namespace {
 
-/// Nearer than this share of an edge length no interior vertex comes to the boundary.
-constexpr double kClearance = 0.3;
-
 /// A chart of the square [-1, 1]^2, without lift, flatten and spacing.
 SurfaceChart SquareChart() {
   SurfaceChart chart;

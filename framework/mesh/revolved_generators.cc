@@ -9,8 +9,6 @@
 namespace cirque {
 namespace {
 
-/// Nearer than this share of an edge length no interior vertex comes to the boundary.
-constexpr double kClearance = 0.3;
 constexpr Index kMinCircleVertices = 6;
 
 /// The share of a circle's radius that interior vertices keep away from it; the circle is conformal

@@ -10,6 +10,9 @@
 
 namespace cirque {
 
+/// Nearer than this share of an edge length no interior vertex should come to the boundary.
+inline constexpr double kClearance = 0.3;
+
 /// A smooth surface with a parameter plane, from which MeshChart makes an irregular triangle mesh.
 /// Triangles are made in the plane, so a conformal chart gives the roundest ones.
 struct SurfaceChart {

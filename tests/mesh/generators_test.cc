@@ -237,6 +237,7 @@ TEST(Generators, RefusesUnknownNamesAndEmptyMeshes) {
               testing::HasSubstr("did you mean 'hemisphere'"));
   EXPECT_THAT(GenerateMesh("sphere", {-5, 1}).status().message(),
               testing::HasSubstr("'sphere': -5 triangles"));
+  EXPECT_FALSE(GenerateMesh("sphere", {2'000'000'000, 1}).ok());
 }
 
 }  // namespace
