@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+
+#include <Eigen/Core>
+
+#include "cirque/core/registry.h"
+
+namespace cirque {
+
+/// A smooth conformal, orientation preserving map between a surface and the plane, unique up to
+/// what keeps angles. Its two directions are inverse to each other on the surface; `to_plane` also
+/// takes points near the surface, as if moved onto it. Broken arguments (a pole, infinity) give
+/// values that are not finite.
+struct ConformalMap {
+  std::function<Eigen::Vector2d(const Eigen::Vector3d&)> to_plane;
+  std::function<Eigen::Vector3d(const Eigen::Vector2d&)> to_surface;
+};
+
+/// The plane z = 0: the identity.
+ConformalMap IdentityMap();
+
+/// The unit sphere from its south pole: (x, y) / (1 + z), the northern hemisphere onto the unit
+/// disk.
+ConformalMap StereographicMap();
+
+/// Enneper's minimal surface (u - u^3/3 + u v^2, v - v^3/3 + u^2 v, u^2 - v^2) onto its parameters
+/// (u, v), |(u, v)| <= 1; the metric is (1 + u^2 + v^2)^2 (du^2 + dv^2).
+ConformalMap EnneperMap();
+
+/// The northern unit hemisphere with the unit cylinder below its equator: stereographic on the
+/// cap; the cylinder's point (cos p, sin p, z), z < 0, goes to e^-z (cos p, sin p).
+ConformalMap CappedTubeMap();
+
+/// The catenoid (cosh z cos p, cosh z sin p, z) to e^-z (cos p, sin p).
+ConformalMap CatenoidMap();
+
+/// The torus ((R + r cos q) cos p, (R + r cos q) sin p, r sin q), R = 1, r = 0.4, to (p, s) with
+/// ds = r dq / (R + r cos q), both counted modulo their periods from -half to half: a rectangle of
+/// 2 pi times 2 pi r / sqrt(R^2 - r^2), ratio sqrt((R/r)^2 - 1).
+ConformalMap TorusMap();
+inline constexpr double kTorusMajorRadius = 1, kTorusMinorRadius = 0.4;
+/// The periods (2 pi, 2 pi r / sqrt(R^2 - r^2)) of TorusMap.
+Eigen::Vector2d TorusPeriods();
+
+/// Maps by the names of the generators that they belong to, one line an entry in known_maps.cc.
+/// With free boundary a circle pattern approximates *some* conformal map; to compare with these,
+/// fix the boundary or divide out what is free.
+const Registry<ConformalMap>& KnownConformalMaps();
+
+}  // namespace cirque

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/core/status.h"
+#include "cirque/core/types.h"
+
+namespace cirque {
+
+/// The corners of a triangle, counter-clockwise.
+using Triangle = std::array<Index, 3>;
+
+/// The Delaunay triangulation of the convex hull of distinct points: no point lies strictly inside
+/// the circumcircle of a triangle, decided exactly. Every point is a corner, those on the hull's
+/// edges too; of cocircular points some triangulation is chosen, the same one on every machine.
+///
+/// Incremental insertion along a Hilbert curve (A. Bowyer, D. F. Watson, 1981), with ghost
+/// triangles that join the hull's edges to a point at infinity: O(n log n) for all but contrived
+/// points.
+///
+/// Errors (invalid input): fewer than three points, a coordinate that is not finite, two equal
+/// points (their numbers are named), all points on one line.
+StatusOr<std::vector<Triangle>> PlanarDelaunay(const std::vector<Eigen::Vector2d>& points);
+
+/// The same and, for every edge of the hull from a to b (the hull on its left), the triangle
+/// (b, a, kNone) whose third corner is the point at infinity: a closed surface, in which kNone may
+/// stand first, second or third.
+StatusOr<std::vector<Triangle>> ClosedPlanarDelaunay(const std::vector<Eigen::Vector2d>& points);
+
+}  // namespace cirque
