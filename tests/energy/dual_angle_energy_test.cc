@@ -4,38 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/energy/quadratic_objective.h"
-
 #include "tests/common/surfaces.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kEps = 0.05;
-
-TEST(QuadraticObjective, ConjugateMaximiserBeatsEveryOtherPointOfTheTriangle) {
-  const QuadraticObjective objective;
-  for (const double s_l : {-3.0, -0.5, 0.0, 0.4, 2.0, 5.0}) {
-    for (const double s_r : {-2.0, 0.1, 1.0, 4.0}) {
-      const EdgeConjugate g = objective.InteriorConjugate(0.7, 1.9, kEps, s_l, s_r);
-      EXPECT_GE(g.alpha_l, kEps);
-      EXPECT_GE(g.alpha_r, kEps);
-      EXPECT_LE(g.alpha_l + g.alpha_r, kPi - kEps + 1e-15);
-      for (double a = kEps; a < kPi; a += 0.07) {
-        for (double b = kEps; a + b <= kPi - kEps; b += 0.07) {
-          EXPECT_GE(g.value + 1e-14, s_l * a + s_r * b - objective.Interior(0.7, 1.9, a, b));
-        }
-      }
-    }
-  }
-}
-
-TEST(QuadraticObjective, BoundaryConjugateIsTheClampedReference) {
-  const QuadraticObjective objective;
-  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, 0.5).alpha_l, 1.5);
-  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, -2).alpha_l, kEps);
-  EXPECT_DOUBLE_EQ(objective.BoundaryConjugate(1.0, kEps, 9).alpha_l, kPi - kEps);
-}
 
 class DualAngleEnergyTest : public ::testing::Test {
  protected:
@@ -50,7 +24,7 @@ class DualAngleEnergyTest : public ::testing::Test {
   const AngleConstraints constraints_{surface_.triangulation, targets_};
   const CornerAngles reference_ = AnglesOf(surface_);
   const DualAngleEnergy energy_{constraints_, reference_.value, kEps,
-                                std::make_shared<QuadraticObjective>()};
+                                *AngleObjectives().Find("quadratic")};
   Eigen::VectorXd y_;
 };
 
@@ -85,7 +59,7 @@ TEST_F(DualAngleEnergyTest, WeakDualityHoldsAtAnyMultipliers) {
   const AngleConstraints constraints(fan.triangulation, targets);
   const CornerAngles reference = AnglesOf(fan);
   const DualAngleEnergy energy(constraints, reference.value, kEps,
-                               std::make_shared<QuadraticObjective>());
+                               *AngleObjectives().Find("quadratic"));
   const Eigen::VectorXd feasible = Eigen::VectorXd::Constant(18, kPi / 3);
   for (int i = 0; i < 50; ++i) {
     const Eigen::VectorXd y = Eigen::VectorXd::Random(constraints.num_rows()) * 2;

@@ -1,6 +1,8 @@
 #include "cirque/pipeline/parameterize.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "cirque/mesh/generators.h"
