@@ -1,0 +1,48 @@
+#include "experiments/run_experiment/method_fields.h"
+
+#include <glog/logging.h>
+
+#include "experiments/run_experiment/scalars.h"
+
+namespace cirque {
+namespace {
+
+struct Setter {
+  const std::string& text;
+  ParameterizeOptions* options;
+
+  void operator()(std::string ParameterizeOptions::*member) const { options->*member = text; }
+  void operator()(double ParameterizeOptions::*member) const {
+    const std::optional<double> value = ParseNumber(text);
+    CHECK(value) << text;
+    options->*member = *value;
+  }
+  void operator()(int ParameterizeOptions::*member) const {
+    const std::optional<long long> value = ParseInteger(text);
+    CHECK(value) << text;
+    options->*member = static_cast<int>(*value);
+  }
+};
+
+}  // namespace
+
+const std::vector<MethodField>& MethodFields() {
+  using Options = ParameterizeOptions;
+  static const std::vector<MethodField> fields = {
+      {"angle_fit", &Options::angle_fit, "how coherent angles are fitted", 0, 0, {}},
+      {"strategy", &Options::strategy, "how the log radii are solved for", 0, 0, {}},
+      {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
+      {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},
+  };
+  return fields;
+}
+
+void SetField(const MethodField& field, const std::string& text, ParameterizeOptions* options) {
+  std::visit(Setter{text, options}, field.member);
+}
+
+nlohmann::json FieldValue(const MethodField& field, const ParameterizeOptions& options) {
+  return std::visit([&](auto member) { return nlohmann::json(options.*member); }, field.member);
+}
+
+}  // namespace cirque
