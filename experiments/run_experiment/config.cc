@@ -129,7 +129,7 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   config->cells = MakeCells(entries.meshes, methods, repeats);
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();
-  CheckCells(*config, problems);
+  if (problems->empty()) CheckCells(*config, problems);
 }
 
 }  // namespace

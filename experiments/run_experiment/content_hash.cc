@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -26,7 +26,14 @@ StatusOr<std::string> ReadWholeFile(const std::string& path) {
   if (!stream) {
     return Status::InvalidInput(fmt::format("{}: cannot open: {}", path, std::strerror(errno)));
   }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  std::string content;
+  std::vector<char> block(1 << 20);
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())),
+         stream.gcount() > 0) {
+    content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) return Status::InvalidInput(path + ": cannot be read to its end");
+  return content;
 }
 
 }  // namespace cirque

@@ -40,7 +40,7 @@ std::string RunKey(const Cell& cell, const std::string& mesh_hash,
 
 Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
                   const RunResult& result, const nlohmann::json& provenance) {
-  return {
+  const Record record = {
       {"key", key},
       {"mesh",
        {{"name", cell.mesh.name},
@@ -56,6 +56,8 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"seconds", NumbersJson(result.certificate.seconds)},
       {"provenance", provenance},
   };
+  // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
+  return Record::parse(ToLine(record));
 }
 
 std::string ToLine(const Record& record) {

@@ -26,8 +26,8 @@ struct PlannedRun {
 };
 
 /// Locates every mesh, so that nothing has been run when one of them turns out to be missing.
-StatusOr<std::vector<PlannedRun>> Plan(const std::vector<Cell>& cells, const std::string& cache) {
-  const std::string code_version = CodeVersion();
+StatusOr<std::vector<PlannedRun>> Plan(const std::vector<Cell>& cells, const std::string& cache,
+                                       const std::string& code_version) {
   std::map<std::string, LocatedMesh> located;
   std::vector<PlannedRun> plan;
   for (const Cell& cell : cells) {
@@ -57,13 +57,13 @@ RunResult RunCaught(const RunCell& run_cell, const PlannedRun& run) {
 
 class Runner {
  public:
-  Runner(const ExperimentConfig& config, const RunnerOptions& options, const RunCell& run_cell,
-         ResultsLog log)
+  Runner(const std::string& folder, nlohmann::json provenance, const RunnerOptions& options,
+         const RunCell& run_cell, ResultsLog log)
       : options_(options),
         run_cell_(run_cell),
         log_(std::move(log)),
-        folder_(config.output),
-        provenance_(Provenance(config)) {}
+        folder_(folder),
+        provenance_(std::move(provenance)) {}
 
   StatusOr<RunSummary> Run(const std::vector<PlannedRun>& plan);
 
@@ -144,14 +144,17 @@ bool RunSummary::AllSettled() const {
 StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::vector<Cell>& cells,
                                    const RunnerOptions& options, const RunCell& run_cell) {
   const fs::path folder = config.output;
-  const StatusOr<std::vector<PlannedRun>> plan = Plan(cells, (folder / "meshes").string());
+  nlohmann::json provenance = Provenance(config);
+  const StatusOr<std::vector<PlannedRun>> plan =
+      Plan(cells, (folder / "meshes").string(), provenance["code"]);
   if (!plan.ok()) return plan.status();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return Status::InvalidInput(folder.string() + ": cannot create: " + error.message());
   StatusOr<ResultsLog> log = ResultsLog::Open((folder / "results.jsonl").string());
   if (!log.ok()) return log.status();
-  return Runner(config, options, run_cell, *std::move(log)).Run(*plan);
+  return Runner(config.output, std::move(provenance), options, run_cell, *std::move(log))
+      .Run(*plan);
 }
 
 }  // namespace cirque
