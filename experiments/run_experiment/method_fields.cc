@@ -2,6 +2,9 @@
 
 #include <glog/logging.h>
 
+#include "cirque/energy/angle_objective.h"
+#include "cirque/solver/solver_strategy.h"
+
 #include "experiments/run_experiment/scalars.h"
 
 namespace cirque {
@@ -29,8 +32,12 @@ struct Setter {
 const std::vector<MethodField>& MethodFields() {
   using Options = ParameterizeOptions;
   static const std::vector<MethodField> fields = {
-      {"angle_fit", &Options::angle_fit, "how coherent angles are fitted", 0, 0, {}},
-      {"strategy", &Options::strategy, "how the log radii are solved for", 0, 0, {}},
+      {"angle_fit", &Options::angle_fit, "the objective of the angle fit", 0, 0,
+       AngleObjectives().Names()},
+      {"angle_strategy", &Options::angle_strategy, "the solver of the angle fit", 0, 0,
+       SolverStrategies().Names()},
+      {"strategy", &Options::strategy, "the solver of the log radii", 0, 0,
+       SolverStrategies().Names()},
       {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
       {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},
   };

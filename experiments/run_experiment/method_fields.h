@@ -19,7 +19,7 @@ struct MethodField {
   Member member;
   std::string help;
   double minimum = 0, maximum = 0;   ///< of a number, both allowed
-  std::vector<std::string> choices;  ///< of a text; empty: judged when the method runs
+  std::vector<std::string> choices;  ///< the texts allowed; empty: any
 };
 
 /// The table of fields, one line an entry.

@@ -52,6 +52,7 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"repeat", cell.repeat},
       {"outcome", result.certificate.outcome},
       {"message", result.certificate.message},
+      {"overlap", result.certificate.overlap},
       {"values", NumbersJson(result.certificate.values)},
       {"seconds", NumbersJson(result.certificate.seconds)},
       {"provenance", provenance},

@@ -30,7 +30,8 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   if (!surface.ok()) return surface.status();
 
   Parameterization parameterization;
-  const Status status = Parameterize(*surface, cell.method.options, &parameterization);
+  const Status status =
+      Parameterize(*surface, cell.method.options, SolveControl(), &parameterization);
   parameterization.certificate.seconds.merge(seconds);
   result->certificate = std::move(parameterization.certificate);
   return status;

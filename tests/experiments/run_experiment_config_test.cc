@@ -53,7 +53,7 @@ const std::vector<BadConfig>& BadConfigs() {
        ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, output"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, angle_fit, "
-       "strategy, epsilon, max_iterations"},
+       "angle_strategy, strategy, epsilon, max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
       {"DuplicateInEntry", Config("{generator: bumpy_terrain, seed: 1, seed: 2}", kMethod),
@@ -97,6 +97,8 @@ const std::vector<BadConfig>& BadConfigs() {
       {"UnknownGenerator", Config("generator: bumpy_terain", kMethod),
        ":3:16: unknown generator "
        "'bumpy_terain'; did you mean 'bumpy_terrain'?"},
+      {"UnknownStrategy", Config(kMesh, "{name: a, strategy: newtn}"),
+       ":5:25: unknown strategy 'newtn'; did you mean 'newton'?"},
       {"SeedOfAFile", Config("{file: a.obj, optional: true, seed: 3}", kMethod),
        ":3:35: 'seed' has a meaning only beside 'generator'"},
       {"NoMember", Config("archive: a.tgz", kMethod), ":3:5: 'archive' needs 'member' beside it"},
@@ -148,8 +150,10 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
                 "/a.obj'; put it there, or skip it with 'optional: true'\n" +
                 "    - file: a.obj\n            ^\n" +  //
                 path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-                "angle_fit, strategy, epsilon, max_iterations\n    - nam: a\n      ^\n" +  //
-                path + ":7:5: the key 'name' is missing: its name in tables\n" +
+                "angle_fit, angle_strategy, strategy, epsilon, max_iterations\n    - nam: a\n      "
+                "^\n" +  //
+                path +
+                ":7:5: the key 'name' is missing: its name in tables\n" +
                 "    - nam: a\n      ^\n");
 }
 

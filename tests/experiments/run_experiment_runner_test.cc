@@ -20,6 +20,12 @@ using ::testing::HasSubstr;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+ParameterizeOptions Coarse() {
+  ParameterizeOptions options;
+  options.epsilon = 1e-2;
+  return options;
+}
+
 /// A pipeline that counts its calls and answers by the generator's seed.
 class FakePipeline {
  public:
@@ -58,7 +64,7 @@ class RunExperimentTest : public ::testing::Test {
     }
     config_.name = "test";
     config_.output = folder_.path() + "/out";
-    config_.cells = MakeCells(meshes, {{"a", {}}, {"b", {"quadratic", "newton", 1e-2, 50}}}, 1);
+    config_.cells = MakeCells(meshes, {{"a", {}}, {"b", Coarse()}}, 1);
   }
 
   RunSummary Run(const RunnerOptions& options = {}) {
