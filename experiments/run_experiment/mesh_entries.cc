@@ -77,7 +77,8 @@ void Resolver::AddFiles(const YAML::Node& entry) {
   for (const std::string& file : files) {
     MeshSpec mesh;
     mesh.name = name.empty() ? fs::path(file).stem().string() : name;
-    if (files.size() > 1 && !name.empty()) mesh.name += "-" + fs::path(file).stem().string();
+    if (files.size() > 1 && !name.empty())
+      mesh.name += fmt::format("-{}", fs::path(file).stem().string());
     mesh.file = file;
     AddMesh(std::move(mesh), entry);
   }

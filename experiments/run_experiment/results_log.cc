@@ -70,7 +70,7 @@ const Record* ResultsLog::Find(const std::string& key) const {
 
 Status ResultsLog::Append(const Record& record) {
   // A torn last line is sealed first: it stays unreadable, the new one does not join it.
-  const std::string line = (ends_torn_ ? "\n" : "") + ToLine(record) + "\n";
+  const std::string line = fmt::format("{}{}\n", ends_torn_ ? "\n" : "", ToLine(record));
   if (!AppendOnlyFile(path_).Write(line)) {
     return Status::InvalidInput(fmt::format("{}: cannot append: {}", path_, std::strerror(errno)));
   }

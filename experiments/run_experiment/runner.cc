@@ -108,10 +108,12 @@ Status Runner::RunOne(const PlannedRun& run, Progress* progress) {
   progress->Start(run.cell.Label());
   nlohmann::json provenance = provenance_;
   provenance["started"] = UtcNow();
-  const RunResult result = RunCaught(run_cell_, run);
+  RunResult result = RunCaught(run_cell_, run);
   const Record record = MakeRecord(run.key, run.cell, run.mesh, result, provenance);
   // The certificate first: a record is the sign that the run is complete.
   if (OutcomeOf(record) == ToString(StatusCode::kInfeasible)) {
+    // The record's message is valid UTF-8, whatever file names were in it.
+    result.certificate.message = record["message"];
     if (Status status = SaveCertificate(run, result.certificate); !status.ok()) return status;
   }
   if (Status status = log_.Append(record); !status.ok()) return status;
