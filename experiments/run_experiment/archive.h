@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/core/status.h"
+
+namespace cirque {
+
+/// The content of a file inside an archive (tar, zip, 7z, ..., compressed or not), or of a file
+/// that is only compressed, whose one member is called "data". Errors name the archive and, for an
+/// unknown member, the nearest name in it.
+StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member);
+
+/// Whether the archive has the member, without reading its content; the same errors.
+Status FindArchiveMember(const std::string& archive, const std::string& member);
+
+}  // namespace cirque

@@ -1,0 +1,38 @@
+#include "experiments/run_experiment/cells.h"
+
+#include <fmt/format.h>
+
+namespace cirque {
+
+std::string MeshSpec::Source() const {
+  if (!file.empty()) return file;
+  if (!archive.empty()) return archive + ":" + member;
+  return fmt::format("{} triangles={} seed={}", generator, generator_options.triangles,
+                     generator_options.seed);
+}
+
+std::string Cell::Label() const {
+  const std::string label = mesh.name + "/" + method.name;
+  return repeat == 0 ? label : fmt::format("{}#{}", label, repeat + 1);
+}
+
+std::vector<Cell> MakeCells(const std::vector<MeshSpec>& meshes,
+                            const std::vector<MethodSpec>& methods, int repeats) {
+  std::vector<Cell> cells;
+  for (const MeshSpec& mesh : meshes) {
+    for (const MethodSpec& method : methods) {
+      for (int repeat = 0; repeat < repeats; ++repeat) cells.push_back({mesh, method, repeat});
+    }
+  }
+  return cells;
+}
+
+std::vector<Cell> SelectCells(const std::vector<Cell>& cells, const std::string& text) {
+  std::vector<Cell> selected;
+  for (const Cell& cell : cells) {
+    if (cell.Label().find(text) != std::string::npos) selected.push_back(cell);
+  }
+  return selected;
+}
+
+}  // namespace cirque

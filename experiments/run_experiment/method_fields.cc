@@ -1,0 +1,55 @@
+#include "experiments/run_experiment/method_fields.h"
+
+#include <glog/logging.h>
+
+#include "cirque/energy/angle_objective.h"
+#include "cirque/solver/solver_strategy.h"
+
+#include "experiments/run_experiment/scalars.h"
+
+namespace cirque {
+namespace {
+
+struct Setter {
+  const std::string& text;
+  ParameterizeOptions* options;
+
+  void operator()(std::string ParameterizeOptions::*member) const { options->*member = text; }
+  void operator()(double ParameterizeOptions::*member) const {
+    const std::optional<double> value = ParseNumber(text);
+    CHECK(value) << text;
+    options->*member = *value;
+  }
+  void operator()(int ParameterizeOptions::*member) const {
+    const std::optional<long long> value = ParseInteger(text);
+    CHECK(value) << text;
+    options->*member = static_cast<int>(*value);
+  }
+};
+
+}  // namespace
+
+const std::vector<MethodField>& MethodFields() {
+  using Options = ParameterizeOptions;
+  static const std::vector<MethodField> fields = {
+      {"angle_fit", &Options::angle_fit, "the objective of the angle fit", 0, 0,
+       AngleObjectives().Names()},
+      {"angle_strategy", &Options::angle_strategy, "the solver of the angle fit", 0, 0,
+       SolverStrategies().Names()},
+      {"strategy", &Options::strategy, "the solver of the log radii", 0, 0,
+       SolverStrategies().Names()},
+      {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
+      {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},
+  };
+  return fields;
+}
+
+void SetField(const MethodField& field, const std::string& text, ParameterizeOptions* options) {
+  std::visit(Setter{text, options}, field.member);
+}
+
+nlohmann::json FieldValue(const MethodField& field, const ParameterizeOptions& options) {
+  return std::visit([&](auto member) { return nlohmann::json(options.*member); }, field.member);
+}
+
+}  // namespace cirque

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "cirque/core/timer.h"
+
+#include "experiments/run_experiment/record.h"
+
+namespace cirque {
+
+/// Tells how far an experiment is: one line a run on `out`, and on a terminal also a line that is
+/// overwritten while a run goes on.
+class Progress {
+ public:
+  /// `out` may be null: nothing is told. `total` counts all runs, `reused` those finished before.
+  Progress(std::FILE* out, int total, int reused);
+
+  void Start(const std::string& label);
+  void Finish(const std::string& label, const Record& record);
+
+ private:
+  std::string Remaining() const;
+
+  std::FILE* out_;
+  bool is_terminal_;
+  int total_, reused_;
+  int done_ = 0, failed_ = 0;
+  Timer timer_;
+};
+
+}  // namespace cirque

@@ -1,0 +1,79 @@
+#include "experiments/run_experiment/record.h"
+
+#include <cmath>
+
+#include "cirque/core/status.h"
+
+#include "experiments/run_experiment/content_hash.h"
+#include "experiments/run_experiment/method_fields.h"
+
+namespace cirque {
+namespace {
+
+nlohmann::json NumbersJson(const std::map<std::string, double>& numbers) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [name, value] : numbers) {
+    json[name] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+  }
+  return json;
+}
+
+}  // namespace
+
+nlohmann::json MethodJson(const MethodSpec& method) {
+  nlohmann::json json = {{"name", method.name}};
+  for (const MethodField& field : MethodFields()) {
+    json[field.name] = FieldValue(field, method.options);
+  }
+  return json;
+}
+
+std::string RunKey(const Cell& cell, const std::string& mesh_hash,
+                   const std::string& code_version) {
+  const nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+                                        {"mesh_hash", mesh_hash},
+                                        {"method", MethodJson(cell.method)},
+                                        {"repeat", cell.repeat},
+                                        {"code", code_version}};
+  return HashOf(ToLine(determined_by));
+}
+
+Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+                  const RunResult& result, const nlohmann::json& provenance) {
+  const Record record = {
+      {"key", key},
+      {"mesh",
+       {{"name", cell.mesh.name},
+        {"source", cell.mesh.Source()},
+        {"hash", mesh.hash},
+        {"vertices", result.vertices},
+        {"triangles", result.triangles}}},
+      {"method", MethodJson(cell.method)},
+      {"repeat", cell.repeat},
+      {"outcome", result.certificate.outcome},
+      {"message", result.certificate.message},
+      {"overlap", result.certificate.overlap},
+      {"values", NumbersJson(result.certificate.values)},
+      {"seconds", NumbersJson(result.certificate.seconds)},
+      {"provenance", provenance},
+  };
+  // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
+  return Record::parse(ToLine(record));
+}
+
+std::string ToLine(const Record& record) {
+  return record.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string OutcomeOf(const Record& record) { return record.value("outcome", ""); }
+
+bool IsFinished(const Record& record) {
+  return OutcomeOf(record) != ToString(StatusCode::kCancelled);
+}
+
+bool IsSettled(const Record& record) {
+  const std::string outcome = OutcomeOf(record);
+  return outcome == ToString(StatusCode::kOk) || outcome == ToString(StatusCode::kInfeasible);
+}
+
+}  // namespace cirque

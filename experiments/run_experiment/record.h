@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/run_experiment/mesh_files.h"
+#include "experiments/run_experiment/run_cell.h"
+
+namespace cirque {
+
+/// One run as one self-contained object of results.jsonl.
+using Record = nlohmann::json;
+
+/// The cell's method with every option, as records and keys hold it.
+nlohmann::json MethodJson(const MethodSpec& method);
+
+/// Names a run by all that determines it: cell, content of the mesh, code.
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const std::string& code_version);
+
+/// Numbers that a run did not come to are null.
+Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+                  const RunResult& result, const nlohmann::json& provenance);
+
+/// One line, whatever bytes the messages hold.
+std::string ToLine(const Record& record);
+
+std::string OutcomeOf(const Record& record);
+
+/// Whether the run need not be made again: it was not cancelled.
+bool IsFinished(const Record& record);
+
+/// Whether the run ended as it should: in a map, or in the proof that there is none.
+bool IsSettled(const Record& record);
+
+}  // namespace cirque

@@ -1,0 +1,50 @@
+#include "experiments/run_experiment/run_cell.h"
+
+#include "cirque/core/timer.h"
+#include "cirque/mesh/io.h"
+#include "cirque/mesh/preflight.h"
+
+namespace cirque {
+namespace {
+
+StatusOr<PolygonSoup> MakeSoup(const MeshSpec& mesh, const std::string& path) {
+  if (mesh.generator.empty()) return ReadMesh(path);
+  const StatusOr<MeshGenerator> generator = MeshGenerators().Find(mesh.generator);
+  if (!generator.ok()) return generator.status();
+  return (*generator)(mesh.generator_options);
+}
+
+Status Run(const Cell& cell, const std::string& path, RunResult* result) {
+  auto& seconds = result->certificate.seconds;
+  const Timer read_timer;
+  const StatusOr<PolygonSoup> soup = MakeSoup(cell.mesh, path);
+  seconds["read"] = read_timer.Seconds();
+  if (!soup.ok()) return soup.status();
+
+  const Timer preflight_timer;
+  PreflightReport report;
+  const StatusOr<Surface> surface = Preflight(*soup, &report);
+  seconds["preflight"] = preflight_timer.Seconds();
+  result->vertices = report.num_vertices;
+  result->triangles = report.num_triangles;
+  if (!surface.ok()) return surface.status();
+
+  Parameterization parameterization;
+  const Status status =
+      Parameterize(*surface, cell.method.options, SolveControl(), &parameterization);
+  parameterization.certificate.seconds.merge(seconds);
+  result->certificate = std::move(parameterization.certificate);
+  return status;
+}
+
+}  // namespace
+
+RunResult ParameterizeCell(const Cell& cell, const std::string& mesh_path) {
+  RunResult result;
+  const Status status = Run(cell, mesh_path, &result);
+  result.certificate.outcome = ToString(status.code());
+  result.certificate.message = status.message();
+  return result;
+}
+
+}  // namespace cirque

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cirque {
+
+enum class FieldKind { kText, kInteger, kNumber, kBoolean, kSections };
+
+/// One key of a config. The table of them drives validation and `--help_config`.
+struct SchemaField {
+  std::string path =
+      {};  ///< "repeats", or "meshes.file" for a key of the entries of the list `meshes`
+  FieldKind kind = FieldKind::kText;
+  std::string help = {};
+  std::string default_text = {};  ///< as it would be written; empty: none
+  bool required = false;
+  bool matrix = false;  ///< a list of values makes one run for each
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices = {};  ///< the texts allowed; empty: any
+  std::string one_of = {};  ///< an entry has exactly one of the keys that name the same group
+  std::vector<std::string> beside = {};  ///< may only stand beside one of these keys
+  std::string brings = {};               ///< asks for this key beside it
+
+  std::string Key() const;     ///< the last part of the path
+  std::string Parent() const;  ///< the path without it
+};
+
+using Schema = std::vector<SchemaField>;
+
+/// Every key that a config may have, in the order of its documentation.
+const Schema& ConfigSchema();
+
+/// The fields whose parent is `path` ("" for the top of the file).
+std::vector<const SchemaField*> FieldsOf(const Schema& schema, const std::string& path);
+
+/// What a value must be: "a whole number from 1 to 1000", "one of a, b".
+std::string Expectation(const SchemaField& field);
+
+/// The reference of the config file as text, with an example.
+std::string ConfigHelp(const Schema& schema);
+
+}  // namespace cirque

@@ -1,0 +1,274 @@
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiments/run_experiment/config.h"
+#include "experiments/run_experiment/schema.h"
+#include "tests/common/paths.h"
+#include "tests/experiments/run_experiment_support.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A config that is right in everything but what `mesh` and `rest` change. Lines: 1 question,
+/// 2 meshes, 3 the mesh, 4 methods, 5 the method, 6 the rest.
+std::string Config(const std::string& mesh, const std::string& method,
+                   const std::string& rest = "") {
+  return "question: why\nmeshes:\n  - " + mesh + "\nmethods:\n  - " + method + "\n" + rest;
+}
+
+constexpr char kMesh[] = "generator: bumpy_terrain";
+constexpr char kMethod[] = "name: a";
+
+struct BadConfig {
+  std::string name, text, first_line;  ///< the message's first line, after the file's name
+};
+
+std::ostream& operator<<(std::ostream& stream, const BadConfig& bad) { return stream << bad.name; }
+
+const std::vector<BadConfig>& BadConfigs() {
+  static const std::vector<BadConfig> configs = {
+      {"Empty", "", ":1:1: the file is empty; see --help_config"},
+      {"OnlyComment", "# nothing\n", ":1:1: the file is empty; see --help_config"},
+      {"NotAMap", "- a\n", ":1:1: the file must be 'key: value' lines"},
+      {"TwoDocuments", "a: 1\n---\nb: 2\n",
+       ":1:1: the file must hold one YAML document, without '---'"},
+      {"Syntax", "question: a: b\n", ":1:12: not valid YAML: illegal map value"},
+      {"Unclosed", "question: [1\nmeshes: 2\n",
+       ":2:7: not valid YAML: end of sequence flow not found"},
+      {"DeepNesting", std::string(100000, '['), ":1:1: not valid YAML: bad file"},
+      {"UnknownAnchor", "question: *nope\n",
+       ":1:11: not valid YAML: the referenced anchor is not defined"},
+      {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
+       ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
+       "repeats, output"},
+      {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, output"},
+      {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
+       ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, angle_fit, "
+       "angle_strategy, strategy, epsilon, max_iterations"},
+      {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
+       ":7:1: 'repeats' is given twice (first on line 6): remove one"},
+      {"DuplicateInEntry", Config("{generator: bumpy_terrain, seed: 1, seed: 2}", kMethod),
+       ":3:41: 'seed' is given twice (first on line 3): remove one"},
+      {"Missing", "meshes:\n  - generator: bumpy_terrain\nmethods:\n  - name: a\n",
+       ":1:1: the key 'question' is missing: what the experiment asks, in one sentence"},
+      {"NoValue", Config(kMesh, kMethod, "repeats:\n"),
+       ":6:1: 'repeats' has no value; expected a whole number from 1 to 1000"},
+      {"NotANumber", Config(kMesh, "{name: a, epsilon: small}"),
+       ":5:24: 'epsilon' must be a number from 1e-12 to 1, not 'small'"},
+      {"NotFinite", Config(kMesh, "{name: a, epsilon: nan}"),
+       ":5:24: 'epsilon' must be a number from 1e-12 to 1, not 'nan'"},
+      {"OutOfRange", Config(kMesh, "{name: a, epsilon: -1e-3}"),
+       ":5:24: 'epsilon' must be a number from 1e-12 to 1, not '-1e-3'"},
+      {"Fraction", Config(kMesh, kMethod, "repeats: 1.5\n"),
+       ":6:10: 'repeats' must be a whole number from 1 to 1000, not '1.5'"},
+      {"Overflow", Config(kMesh, kMethod, "repeats: 99999999999999999999\n"),
+       ":6:10: 'repeats' must be a whole number from 1 to 1000, not '99999999999999999999'"},
+      {"OctalLike", Config("{generator: bumpy_terrain, seed: 0x10}", kMethod),
+       ":3:38: 'seed' must be a whole number from 0 to 4294967295, not '0x10'"},
+      {"WrongInList", Config(kMesh, "{name: a, epsilon: [1e-3, 2]}"),
+       ":5:31: 'epsilon' must be a number from 1e-12 to 1, not '2'"},
+      {"ListWhereNone", Config(kMesh, kMethod, "repeats: [1, 2]\n"),
+       ":6:10: 'repeats' must be a whole number from 1 to 1000"},
+      {"MapInList", Config(kMesh, "{name: a, epsilon: [{b: 1}]}"),
+       ":5:25: a value of 'epsilon' must be a number from 1e-12 to 1"},
+      {"Yes", Config("{optional: yes, file: x}", kMethod),
+       ":3:16: 'optional' must be true or false, not 'yes'"},
+      {"EmptyList", "question: why\nmeshes: []\nmethods:\n  - name: a\n",
+       ":2:1: 'meshes' is an empty list; give at least one"},
+      {"EmptyMatrix", Config(kMesh, "{name: a, epsilon: []}"),
+       ":5:15: 'epsilon' is an empty list; give at least one"},
+      {"ScalarForList", "question: why\nmeshes: all\nmethods:\n  - name: a\n",
+       ":2:9: 'meshes' must be a list of entries"},
+      {"ScalarEntry", Config("bumpy_terrain", kMethod),
+       ":3:5: an entry of 'meshes' must be 'key: value' lines"},
+      {"NoSource", Config("name: a", kMethod),
+       ":3:5: give exactly one of file, archive, generator (here: none)"},
+      {"TwoSources", Config("{generator: bumpy_terrain, file: a.obj, optional: true}", kMethod),
+       ":3:5: give exactly one of file, archive, generator (here: file, generator)"},
+      {"UnknownGenerator", Config("generator: bumpy_terain", kMethod),
+       ":3:16: unknown generator "
+       "'bumpy_terain'; did you mean 'bumpy_terrain'?"},
+      {"UnknownStrategy", Config(kMesh, "{name: a, strategy: newtn}"),
+       ":5:25: unknown strategy 'newtn'; did you mean 'newton'?"},
+      {"SeedOfAFile", Config("{file: a.obj, optional: true, seed: 3}", kMethod),
+       ":3:35: 'seed' has a meaning only beside 'generator'"},
+      {"NoMember", Config("archive: a.tgz", kMethod), ":3:5: 'archive' needs 'member' beside it"},
+      {"MissingFile", Config("file: a.obj", kMethod),
+       ":3:11: there is no file '/nowhere/a.obj'; put it there, or skip it with 'optional: true'"},
+      {"EmptyPattern", Config("file: a*.obj", kMethod),
+       ":3:11: no file matches '/nowhere/a*.obj'; put it there, or skip it with 'optional: true'"},
+      {"AllSkipped", Config("{file: a.obj, optional: true}", kMethod),
+       ":1:1: nothing to run: every mesh was skipped"},
+      {"SameMesh", Config("generator: bumpy_terrain\n  - generator: bumpy_terrain", kMethod),
+       ":4:5: two meshes are named 'bumpy_terrain' (first on line 3); give one a 'name'"},
+      {"SameMethod", Config(kMesh, "name: a\n  - name: a"),
+       ":6:11: two methods are named 'a' (first on line 5)"},
+      {"SameValue", Config(kMesh, "{name: a, epsilon: [0.1, 0.1]}"),
+       ":1:1: two runs are called 'bumpy_terrain/a,epsilon=0.1'; is a value listed twice?"},
+  };
+  return configs;
+}
+
+class BadConfigTest : public ::testing::TestWithParam<BadConfig> {};
+
+TEST_P(BadConfigTest, IsRefusedWithItsPlace) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("bad.yaml", GetParam().text);
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_FALSE(config.ok());
+  EXPECT_EQ(config.status().code(), StatusCode::kInvalidInput);
+  std::string message = config.status().message();
+  for (std::size_t at; (at = message.find(folder.path() + "/")) != std::string::npos;) {
+    message.replace(at, folder.path().size(), at == 0 ? "" : "/nowhere");
+  }
+  EXPECT_THAT(message, StartsWith("/bad.yaml" + GetParam().first_line));
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadConfigTest, ::testing::ValuesIn(BadConfigs()),
+                         [](const auto& row) { return row.param.name; });
+
+TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write(
+      "bad.yaml",
+      "question: why\nrepeats: 0\nmeshes:\n  - file: a.obj\nmethods:\n\t\n  - nam: a\n");
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_FALSE(config.ok());
+  EXPECT_EQ(config.status().message(),
+            path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
+                "  repeats: 0\n           ^\n" +  //
+                path + ":4:11: there is no file '" + folder.path() +
+                "/a.obj'; put it there, or skip it with 'optional: true'\n" +
+                "    - file: a.obj\n            ^\n" +  //
+                path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
+                "angle_fit, angle_strategy, strategy, epsilon, max_iterations\n    - nam: a\n      "
+                "^\n" +  //
+                path +
+                ":7:5: the key 'name' is missing: its name in tables\n" +
+                "    - nam: a\n      ^\n");
+}
+
+TEST(RunExperimentConfig, CaretStandsUnderTheColumnAfterTabsAndUmlauts) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("bad.yaml", "{question: ü,\trepeets: 1}\n");
+  const std::string message = LoadConfig(path).status().message();
+  EXPECT_THAT(message, HasSubstr("\n  {question: ü,\trepeets: 1}\n               \t^\n"));
+}
+
+TEST(RunExperimentConfig, MissingFileAndFolderAreNamed) {
+  EXPECT_EQ(LoadConfig("/nowhere/a.yaml").status().message(),
+            "/nowhere/a.yaml: cannot open: No such file or directory");
+  EXPECT_EQ(LoadConfig("/tmp").status().message(), "/tmp: is a folder, not a file");
+}
+
+std::vector<std::string> LabelsOf(const ExperimentConfig& config) {
+  std::vector<std::string> labels;
+  for (const Cell& cell : config.cells) labels.push_back(cell.Label());
+  return labels;
+}
+
+TEST(RunExperimentConfig, ListsMakeTheCrossProduct) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write(
+      "a.yaml", Config("{generator: bumpy_terrain, triangles: [10, 20], seed: [1, 2, 3]}",
+                       "{name: m, epsilon: [1e-3, 1e-2], max_iterations: [5, 50]}\n  - name: n",
+                       "repeats: 2\n"));
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_EQ(config->cells.size(), 2u * 3 * (2 * 2 + 1) * 2);
+  std::set<std::tuple<int, unsigned, double, int, int, std::string>> distinct;
+  for (const Cell& cell : config->cells) {
+    const ParameterizeOptions& options = cell.method.options;
+    distinct.emplace(cell.mesh.generator_options.triangles, cell.mesh.generator_options.seed,
+                     options.epsilon, options.max_iterations, cell.repeat, cell.method.name);
+  }
+  EXPECT_EQ(distinct.size(), config->cells.size());
+  EXPECT_EQ(LabelsOf(*config)[1], "bumpy_terrain-10-s1/m,epsilon=1e-3,max_iterations=5#2");
+}
+
+TEST(RunExperimentConfig, ASlipThatMakesMillionsOfRunsIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  std::string many = "[1";
+  for (int i = 2; i <= 1000; ++i) many += "," + std::to_string(i);
+  many += "]";
+  const std::string path = folder.Write(
+      "a.yaml",
+      Config("{generator: bumpy_terrain, triangles: " + many + ", seed: " + many + "}", kMethod));
+  EXPECT_THAT(LoadConfig(path).status().message(),
+              HasSubstr(":3:5: this entry makes 1000000 combinations; at most 100000 are allowed"));
+}
+
+TEST(RunExperimentConfig, PatternsAndPathsStartAtTheFolderThatHoldsConfigs) {
+  const TemporaryFolder folder;
+  folder.Write("project/meshes/b.obj", "b");
+  folder.Write("project/meshes/a.obj", "a");
+  folder.Write("project/meshes/a.off", "a");
+  const std::string path =
+      folder.Write("project/configs/sub/x.yaml", Config("file: meshes/*.obj", kMethod));
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_THAT(LabelsOf(*config), ElementsAre("a/a", "b/a"));
+  EXPECT_EQ(config->cells[0].mesh.file, folder.path() + "/project/meshes/a.obj");
+  EXPECT_EQ(config->output, folder.path() + "/project/results/runs/x");
+}
+
+TEST(RunExperimentConfig, OptionalMeshesAreSkippedWithAWord) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write(
+      "a.yaml", Config("generator: bumpy_terrain\n  - {file: no*.obj, optional: true}", kMethod));
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_THAT(LabelsOf(*config), ElementsAre("bumpy_terrain/a"));
+  EXPECT_THAT(config->notes, ElementsAre(path + ":4:12: skipped, no file matches '" +
+                                         folder.path() + "/no*.obj'"));
+}
+
+TEST(RunExperimentConfig, KeysLeftOutKeepTheDefaultsOfParameterizeOptions) {
+  const TemporaryFolder folder;
+  const StatusOr<ExperimentConfig> config =
+      LoadConfig(folder.Write("a.yaml", Config(kMesh, "{name: a, max_iterations: 7}")));
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  const ParameterizeOptions defaults, &options = config->cells[0].method.options;
+  EXPECT_EQ(options.max_iterations, 7);
+  EXPECT_EQ(options.epsilon, defaults.epsilon);
+  EXPECT_EQ(options.angle_fit, defaults.angle_fit);
+}
+
+TEST(RunExperimentConfig, HelpExplainsEveryKeyAndItsExampleIsAValidConfig) {
+  const std::string help = ConfigHelp(ConfigSchema());
+  for (const SchemaField& field : ConfigSchema()) {
+    EXPECT_THAT(help, HasSubstr(field.Key()));
+    EXPECT_THAT(help, HasSubstr(field.help));
+  }
+  const TemporaryFolder folder;
+  const std::string example = help.substr(help.find("Example:\n") + 9);
+  const StatusOr<ExperimentConfig> config = LoadConfig(folder.Write("a.yaml", example));
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_EQ(config->cells.size(), 4u);
+}
+
+TEST(RunExperimentConfig, EveryShippedConfigLoadsAndAsksAQuestion) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ProjectPath("configs"))) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path());
+    const StatusOr<ExperimentConfig> config = LoadConfig(entry.path().string());
+    ASSERT_TRUE(config.ok()) << config.status().message();
+    EXPECT_EQ(config->question.back(), '?');
+    EXPECT_FALSE(config->cells.empty());
+    ++count;
+  }
+  EXPECT_GE(count, 1);
+}
+
+}  // namespace
+}  // namespace cirque
