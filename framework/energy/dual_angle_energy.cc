@@ -7,10 +7,9 @@
 
 namespace cirque {
 
-DualAngleEnergy::DualAngleEnergy(const AngleConstraints& constraints,
-                                 const Eigen::VectorXd& reference, double epsilon,
-                                 std::shared_ptr<const AngleObjective> objective)
-    : constraints_(constraints),
+DualAngleEnergy::DualAngleEnergy(AngleConstraints constraints, const Eigen::VectorXd& reference,
+                                 double epsilon, std::shared_ptr<const AngleObjective> objective)
+    : constraints_(std::move(constraints)),
       reference_(reference),
       epsilon_(epsilon),
       objective_(std::move(objective)) {}

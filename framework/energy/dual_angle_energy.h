@@ -18,9 +18,9 @@ namespace cirque {
 /// constraints are infeasible f is unbounded below along a Farkas certificate.
 class DualAngleEnergy final : public Energy {
  public:
-  /// `constraints` and `reference` (3F angles [rad]) must outlive the energy.
-  DualAngleEnergy(const AngleConstraints& constraints, const Eigen::VectorXd& reference,
-                  double epsilon, std::shared_ptr<const AngleObjective> objective);
+  /// `reference` (3F angles [rad]) and the constraints' triangulation must outlive the energy.
+  DualAngleEnergy(AngleConstraints constraints, const Eigen::VectorXd& reference, double epsilon,
+                  std::shared_ptr<const AngleObjective> objective);
 
   int NumParameters() const override { return constraints_.num_rows(); }
   bool Evaluate(const double* y, double* value, double* gradient) const override;
@@ -37,7 +37,7 @@ class DualAngleEnergy final : public Energy {
  private:
   EdgeConjugate Conjugate(Index e, const double* y) const;
 
-  const AngleConstraints& constraints_;
+  const AngleConstraints constraints_;
   const Eigen::VectorXd& reference_;
   const double epsilon_;
   const std::shared_ptr<const AngleObjective> objective_;

@@ -36,7 +36,7 @@ std::string Certificate::ToJson() const {
   json["values"] = NumbersToJson(values);
   json["seconds"] = NumbersToJson(seconds);
   if (!infeasibility.empty()) json["infeasibility"] = ProofToJson(infeasibility);
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace cirque

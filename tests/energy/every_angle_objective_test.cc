@@ -45,8 +45,8 @@ TEST_P(EveryAngleObjective, ConjugateMaximiserBeatsEveryOtherPoint) {
       const EdgeConjugate g = At(ref, s[0], s[1]);
       const double margin = objective_->Margin(kEps);
       if (margin >= 0) {
-        EXPECT_GE(g.alpha_l, margin);
-        EXPECT_GE(g.alpha_r, margin);
+        EXPECT_GE(g.alpha_l, margin - 1e-15);
+        EXPECT_GE(g.alpha_r, margin - 1e-15);
         EXPECT_LE(g.alpha_l + g.alpha_r, kPi - margin + 1e-15);
       }
       for (double a = kEps; a < kPi; a += 0.09) {

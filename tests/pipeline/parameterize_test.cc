@@ -1,8 +1,7 @@
 #include "cirque/pipeline/parameterize.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "cirque/mesh/generators.h"

@@ -68,13 +68,6 @@ TEST(StructureRules, NobodyIncludesALeaf) {
   EXPECT_THAT(Violations("tests/one/a.cc", "#include \"experiments/two/b.h\"\n"), IsEmpty());
 }
 
-TEST(StructureRules, OnlyMeshKnowsOpenMesh) {
-  const std::string include = "#include <OpenMesh/Core/IO/MeshIO.hh>\n";
-  EXPECT_THAT(Violations("framework/mesh/a.cc", include), IsEmpty());
-  EXPECT_EQ(Violations("framework/pipeline/a.cc", include).size(), 1u);
-  EXPECT_EQ(Violations("experiments/one/a.cc", include).size(), 1u);
-}
-
 TEST(StructureRules, TheFrameworkDoesNotPrint) {
   for (const std::string line : {"#include <iostream>\n", "  std::cout << 1;\n", "printf(\"\");\n",
                                  "std::fprintf(stderr, \"\");\n", "fmt::print(\"{}\", 1);\n"}) {

@@ -1,0 +1,39 @@
+#include "cirque/energy/registry.h"
+
+#include <string>
+
+#include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/energy/dual_angle_energy.h"
+
+namespace cirque {
+namespace {
+
+std::unique_ptr<Energy> MakeCirclePattern(const EnergyInput& input) {
+  return std::make_unique<CirclePatternEnergy>(input.triangulation, input.coherent);
+}
+
+/// The dual of the angle fit with that objective.
+EnergyFactory DualOf(const std::string& objective) {
+  return [objective](const EnergyInput& input) -> std::unique_ptr<Energy> {
+    return std::make_unique<DualAngleEnergy>(AngleConstraints(input.triangulation, input.targets),
+                                             input.reference.value, input.epsilon,
+                                             *AngleObjectives().Find(objective));
+  };
+}
+
+}  // namespace
+
+const Registry<EnergyFactory>& Energies() {
+  static const Registry<EnergyFactory> kTable(
+      "energy", {
+                    {"circle_pattern", MakeCirclePattern},
+                    {"quadratic_dual", DualOf("quadratic")},
+                    {"weighted_quadratic_dual", DualOf("weighted_quadratic")},
+                    {"barrier_dual", DualOf("barrier")},
+                    {"entropy_dual", DualOf("entropy")},
+                    {"least_squares_dual", DualOf("least_squares")},
+                });
+  return kTable;
+}
+
+}  // namespace cirque
