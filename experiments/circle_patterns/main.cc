@@ -1,12 +1,19 @@
+// The thesis's program: a triangle mesh in, its conformal map out.
 #include <iostream>
 
 #include <gflags/gflags.h>
+#include <glog/logging.h>
+
+#include "cirque/core/text.h"
+#include "cirque/energy/angle_objective.h"
+#include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/run.h"
+#include "experiments/common/flag_parsing.h"
 
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
-DEFINE_string(oo, "", "output .obj with the texture coordinates of the map");
-DEFINE_string(certificate, "", "where to write the certificate (default: beside the output)");
+DEFINE_string(oo, "", "output .obj, with the map as texture coordinates");
+DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certificate.json");
 DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of the angle fit");
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
               "solver of the angle fit");
@@ -14,18 +21,52 @@ DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the l
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
+DECLARE_bool(help);
 
-int main(int argc, char** argv) {
-  gflags::SetUsageMessage(
-      "flattens a triangle mesh conformally by a circle pattern\n"
-      "  circle_patterns -io IN.obj -oo OUT.obj");
-  gflags::ParseCommandLineFlags(&argc, &argv, true);
-  const cirque::CirclePatternsJob job = {
+namespace cirque {
+namespace {
+
+constexpr char kSource[] = "experiments/circle_patterns/";
+constexpr char kUsage[] =
+    "Flattens a triangle mesh conformally by a circle pattern.\n"
+    "  circle_patterns -io IN.obj -oo OUT.obj\n"
+    "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
+
+int Conclude(const Status& status) {
+  if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
+  return ExitStatus(status.code());
+}
+
+Status CheckArguments(const std::vector<std::string>& others) {
+  if (!others.empty()) {
+    return Status::InvalidInput("unexpected argument '" + others.front() + "'; see --help");
+  }
+  if (FLAGS_io.empty()) return Status::InvalidInput("-io IN is missing; see --help");
+  if (FLAGS_oo.empty()) return Status::InvalidInput("-oo OUT is missing; see --help");
+  return Status();
+}
+
+int Main(int argc, char** argv) {
+  FLAGS_logtostderr = true;
+  google::InitGoogleLogging(argv[0]);
+  const StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
+  if (!others.ok()) return Conclude(others.status());
+  if (FLAGS_help) {
+    std::cout << kUsage << "\n"
+              << FlagHelp(kSource) << "\nangle fits: " << Join(AngleObjectives().Names())
+              << "\nsolvers:    " << Join(SolverStrategies().Names()) << "\n";
+    return 0;
+  }
+  if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);
+  const CirclePatternsJob job = {
       FLAGS_io,
       FLAGS_oo,
       FLAGS_certificate,
       {FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
-  const cirque::Status status = cirque::RunCirclePatterns(job, std::cout);
-  if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
-  return cirque::ExitStatus(status.code());
+  return Conclude(RunCirclePatterns(job, std::cout));
 }
+
+}  // namespace
+}  // namespace cirque
+
+int main(int argc, char** argv) { return cirque::Main(argc, argv); }

@@ -1,5 +1,7 @@
 #include "experiments/circle_patterns/run.h"
 
+#include <sys/resource.h>
+
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -15,6 +17,13 @@ namespace {
 double ValueOr(const Certificate& certificate, const std::string& name, double fallback) {
   const auto found = certificate.values.find(name);
   return found == certificate.values.end() ? fallback : found->second;
+}
+
+/// Of this process so far; Linux counts in kilobytes.
+double PeakMemoryInMegabytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 /// The evidence in a few lines for people.
@@ -44,6 +53,9 @@ std::string CertificatePath(const CirclePatternsJob& job) {
 
 Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
   const Timer timer;
+  if (std::filesystem::path(job.output).extension() != ".obj") {
+    return Status::InvalidInput(job.output + ": maps are written as .obj; name the output so");
+  }
   const StatusOr<PolygonSoup> soup = ReadMesh(job.input);
   if (!soup.ok()) return soup.status();
   const double read_seconds = timer.Seconds();
@@ -55,6 +67,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
 
   Parameterization map;
   Status status = Parameterize(*surface, job.options, {}, &map);
+  map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
   if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
@@ -64,8 +77,10 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
     const Status written = WriteMesh(job.output, AttachUv(*soup, *surface, map.uv));
     if (!written.ok()) return written;
     map.certificate.seconds["write"] = write_timer.Seconds();
-    report << fmt::format("wrote       {} ({:.2f} s in all)\n", job.output, timer.Seconds());
+    report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
+                          PeakMemoryInMegabytes());
   }
+  map.certificate.seconds["process"] = timer.Seconds();
   const std::string certificate = CertificatePath(job);
   if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
   report << "certificate " << certificate << "\n";

@@ -1,5 +1,7 @@
 #include "experiments/common/flag_parsing.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
@@ -54,9 +56,22 @@ bool FindFlag(Argument* argument, gflags::CommandLineFlagInfo* info) {
   return true;
 }
 
+Status SetFlag(const Argument& argument, const std::string& type) {
+  if (!gflags::SetCommandLineOption(argument.name.c_str(), argument.value.c_str()).empty()) {
+    return Status();
+  }
+  return Status::InvalidInput(fmt::format("--{} expects a value of type {}, not '{}'",
+                                          argument.name, type, argument.value));
+}
+
+bool Contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 }  // namespace
 
-StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source) {
+StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
+                                              const std::vector<std::string>& value_optional) {
   std::vector<std::string> others;
   for (int i = 1; i < argc; ++i) {
     const std::string text = argv[i];
@@ -70,17 +85,16 @@ StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::
     }
     Argument argument = Split(text);
     gflags::CommandLineFlagInfo info;
-    if (!FindFlag(&argument, &info)) {
+    if (!FindFlag(&argument, &info) || !Contains(NamesOf(source), argument.name)) {
       return Status::InvalidInput(UnknownName("flag", argument.name, NamesOf(source)));
     }
-    if (!argument.has_value) {
+    if (!argument.has_value && Contains(value_optional, argument.name)) {
+      argument.value = "-";
+    } else if (!argument.has_value) {
       if (i + 1 == argc) return Status::InvalidInput("--" + argument.name + " needs a value");
       argument.value = argv[++i];
     }
-    if (gflags::SetCommandLineOption(argument.name.c_str(), argument.value.c_str()).empty()) {
-      return Status::InvalidInput(fmt::format("--{} expects a value of type {}, not '{}'",
-                                              argument.name, info.type, argument.value));
-    }
+    if (Status s = SetFlag(argument, info.type); !s.ok()) return s;
   }
   return others;
 }
@@ -89,7 +103,11 @@ std::string FlagHelp(const std::string& source) {
   std::string text;
   for (const gflags::CommandLineFlagInfo& flag : FlagsOf(source)) {
     const std::string value = flag.type == "bool" ? "" : "=" + flag.type;
-    text += fmt::format("  {:<20} {}\n", "--" + flag.name + value, flag.description);
+    const bool worth_saying = !flag.default_value.empty() && flag.type != "bool";
+    std::string fallback = worth_saying ? "; default " + flag.default_value : "";
+    if (flag.type == "double")
+      fallback = fmt::format("; default {:g}", std::stod(flag.default_value));
+    text += fmt::format("  {:<28} {}{}\n", "--" + flag.name + value, flag.description, fallback);
   }
   return text;
 }

@@ -12,7 +12,9 @@ namespace cirque {
 /// misspelt name or a wrong value is a status that says what was meant, and `--help` is the flag
 /// help of gflags, left to the program.
 /// `source` is a part of the paths of the program's sources, "experiments/run_experiment/".
-StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source);
+/// A flag named in `value_optional` is "-" when it is given without "=VALUE".
+StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
+                                              const std::vector<std::string>& value_optional = {});
 
 /// One entry for each of the program's flags: name, help, default.
 std::string FlagHelp(const std::string& source);

@@ -11,6 +11,7 @@
 #include "cirque/core/text.h"
 #include "cirque/mesh/io.h"
 
+#include "experiments/common/flag_parsing.h"
 #include "experiments/verify_map/infeasibility_check.h"
 #include "experiments/verify_map/report_text.h"
 #include "experiments/verify_map/verify.h"
@@ -32,6 +33,7 @@ DECLARE_bool(help);
 namespace cirque::verify_map {
 namespace {
 
+constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 
 const char kUsage[] =
@@ -44,70 +46,6 @@ const char kUsage[] =
 int Complain(const Status& status) {
   fmt::print(stderr, "verify_map: {}\n", status.message());
   return kBadInput;
-}
-
-const std::vector<std::string>& FlagNames() {
-  static const std::vector<std::string> names = {"json",
-                                                 "targets",
-                                                 "infeasible",
-                                                 "position_tolerance",
-                                                 "angle_tolerance",
-                                                 "seam_tolerance",
-                                                 "require_injective",
-                                                 "require_rigid_seams",
-                                                 "help"};
-  return names;
-}
-
-/// gflags' own help names the source file's path and writes 1e-06 with seventeen digits.
-void PrintHelp() {
-  fmt::print("{}\n\n", kUsage);
-  for (const std::string& name : FlagNames()) {
-    const auto info = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
-    const std::string value = name == "json"          ? "[=FILE]"
-                              : info.type == "string" ? "=FILE"
-                              : info.type == "double" ? "=NUMBER"
-                                                      : "";
-    std::string description = name == "help" ? "show this" : info.description;
-    if (info.type == "double") {
-      description += fmt::format("; default {:g}", std::stod(info.default_value));
-    }
-    fmt::print("  {:<28}{}\n", "--" + name + value, description);
-  }
-}
-
-/// Sets the flags among the arguments and returns the rest. gflags' own parser would end the
-/// process with status 1, which here means an invalid map.
-StatusOr<std::vector<std::string>> ParseArguments(int argc, char** argv) {
-  std::vector<std::string> rest;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const std::size_t begin = word.find_first_not_of('-');
-    if (begin == 0 || begin == std::string::npos || begin > 2) {
-      rest.push_back(word);
-      continue;
-    }
-    const std::size_t equals = word.find('=');
-    const std::string name =
-        word.substr(begin, equals == std::string::npos ? equals : equals - begin);
-    const auto& known = FlagNames();
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      return Status::InvalidInput(UnknownName("flag", name, known));
-    }
-    const bool is_bool = gflags::GetCommandLineFlagInfoOrDie(name.c_str()).type == "bool";
-    std::string value = is_bool ? "true" : "-";
-    if (equals != std::string::npos) {
-      value = word.substr(equals + 1);
-    } else if (!is_bool && name != "json") {
-      if (++i == argc) return Status::InvalidInput(fmt::format("--{} needs a value", name));
-      value = argv[i];
-    }
-    if (gflags::SetCommandLineOption(name.c_str(), value.c_str()).empty()) {
-      return Status::InvalidInput(
-          fmt::format("--{}: '{}' is no value for it; see --help", name, value));
-    }
-  }
-  return rest;
 }
 
 /// Prints or writes a report, and says by the exit status how it ended.
@@ -157,10 +95,10 @@ int VerifyFiles(const std::vector<std::string>& files) {
 }
 
 int Main(int argc, char** argv) {
-  const StatusOr<std::vector<std::string>> files = ParseArguments(argc, argv);
+  const StatusOr<std::vector<std::string>> files = ParseFlags(argc, argv, kSource, {"json"});
   if (!files.ok()) return Complain(files.status());
   if (FLAGS_help) {
-    PrintHelp();
+    fmt::print("{}\n\n{}", kUsage, FlagHelp(kSource));
     return kValid;
   }
   const bool proof = !FLAGS_infeasible.empty();

@@ -20,8 +20,9 @@ Status Failure(const std::string& path, const char* action) {
   return Status::InvalidInput(fmt::format("{}: cannot {}: {}", path, action, std::strerror(errno)));
 }
 
-Status WriteAll(const std::string& path, std::string_view content) {
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wb"));
+/// Writes to `temporary` on the way to `path`, which failures name.
+Status WriteAll(const std::string& temporary, const std::string& path, std::string_view content) {
+  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(temporary.c_str(), "wb"));
   if (!file) return Failure(path, "open for writing");
   if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size() ||
       std::fflush(file.get()) != 0) {
@@ -34,7 +35,7 @@ Status WriteAll(const std::string& path, std::string_view content) {
 
 Status WriteFileAtomically(const std::string& path, std::string_view content) {
   const std::string temporary = fmt::format("{}.tmp.{}", path, getpid());
-  Status status = WriteAll(temporary, content);
+  Status status = WriteAll(temporary, path, content);
   if (status.ok() && std::rename(temporary.c_str(), path.c_str()) != 0) {
     status = Failure(path, "replace");
   }
