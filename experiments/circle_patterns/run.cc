@@ -66,7 +66,8 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
   Parameterization map;
-  Status status = Parameterize(*surface, job.options, {}, &map);
+  Status status =
+      Parameterize(*surface, FreeBoundaryTargets(surface->triangulation), job.options, {}, &map);
   map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;

@@ -7,8 +7,8 @@ namespace cirque {
 std::string MeshSpec::Source() const {
   if (!file.empty()) return file;
   if (!archive.empty()) return archive + ":" + member;
-  return fmt::format("{} triangles={} seed={}", generator, generator_options.triangles,
-                     generator_options.seed);
+  return fmt::format("{} triangles={} seed={}{}", generator, generator_options.triangles,
+                     generator_options.seed, known_boundary ? " boundary=known_map" : "");
 }
 
 std::string Cell::Label() const {

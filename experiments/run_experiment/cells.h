@@ -15,6 +15,7 @@ struct MeshSpec {
   std::string archive, member;
   std::string generator;
   GeneratorOptions generator_options;
+  bool known_boundary = false;  ///< boundary angles as in the generator's known conformal map
 
   /// The source in one line, as records show it.
   std::string Source() const;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/mesh/known_maps.h"
+
 #include "experiments/run_experiment/archive.h"
 #include "experiments/run_experiment/matrix.h"
 #include "experiments/run_experiment/scalars.h"
@@ -108,6 +110,15 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
     mesh.generator = TextOf(entry, "generator");
     mesh.name = name.empty() ? mesh.generator : name;
     for (const auto& [key, text, varies] : combination.settings) {
+      if (key == "boundary") {
+        mesh.known_boundary = text == "known_map";
+        if (mesh.known_boundary && !KnownConformalMaps().Find(mesh.generator).ok()) {
+          return problems_.Add(PlaceOf(entry["boundary"]),
+                               "no conformal map of " + mesh.generator + " is known");
+        }
+        if (varies || mesh.known_boundary) mesh.name += "-" + text;
+        continue;
+      }
       const std::optional<long long> value = ParseInteger(text);
       if (!value) return;  // The schema has refused it.
       if (key == "triangles") mesh.generator_options.triangles = static_cast<Index>(*value);

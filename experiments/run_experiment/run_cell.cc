@@ -4,6 +4,8 @@
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 
+#include "experiments/run_experiment/known_map.h"
+
 namespace cirque {
 namespace {
 
@@ -30,10 +32,16 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   if (!surface.ok()) return surface.status();
 
   Parameterization parameterization;
+  const ConeTargets targets = cell.mesh.known_boundary
+                                  ? KnownBoundaryTargets(cell.mesh, *surface)
+                                  : FreeBoundaryTargets(surface->triangulation);
   const Status status =
-      Parameterize(*surface, cell.method.options, SolveControl(), &parameterization);
+      Parameterize(*surface, targets, cell.method.options, SolveControl(), &parameterization);
   parameterization.certificate.seconds.merge(seconds);
   result->certificate = std::move(parameterization.certificate);
+  if (status.ok()) {
+    result->certificate.values.merge(KnownMapErrors(cell.mesh, *surface, parameterization.uv));
+  }
   return status;
 }
 

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "cirque/core/triangulation.h"
+
 namespace cirque {
 
 /// One length per edge of a Triangulation: with it, the intrinsic metric.
@@ -24,6 +26,9 @@ struct ConeTargets {
 
   bool IsFixed(int v) const { return lower[v] == upper[v]; }
 };
+
+/// Interior vertices flat (2 pi), boundary vertices free.
+ConeTargets FreeBoundaryTargets(const Triangulation& triangulation);
 
 /// Corner angles of a flat, Delaunay triangulation: all >= epsilon, triangle sums pi, vertex sums
 /// within their targets, alpha_l + alpha_r <= pi - epsilon on interior edges.

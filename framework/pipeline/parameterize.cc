@@ -25,25 +25,14 @@ Status RequireDisk(const Triangulation& t) {
       (2 - static_cast<int>(loops) - EulerCharacteristic(t)) / 2, loops));
 }
 
-/// Interior vertices flat, boundary vertices free.
-ConeTargets FlatTargets(const Triangulation& t) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<Index> corners = CornersPerVertex(t);
-  ConeTargets targets;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
-    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
-  }
-  return targets;
-}
-
 /// One run: what the stages hand on, and their evidence.
 class Run {
  public:
-  Run(const Surface& surface, const ParameterizeOptions& options, const SolveControl& control,
-      Parameterization* result)
+  Run(const Surface& surface, const ConeTargets& targets, const ParameterizeOptions& options,
+      const SolveControl& control, Parameterization* result)
       : surface_(surface),
         t_(surface.triangulation),
+        targets_(targets),
         options_(options),
         control_(control),
         result_(*result),
@@ -75,8 +64,7 @@ class Run {
     if (!objective.ok()) return objective.status();
     const auto strategy = Strategy(options_.angle_strategy);
     if (!strategy.ok()) return strategy.status();
-    const ConeTargets targets = FlatTargets(t_);
-    const AngleConstraints constraints(t_, targets);
+    const AngleConstraints constraints(t_, targets_);
     const CornerAngles reference = MeasureCornerAngles(t_, lengths_);
     AngleFitResult fit;
     Status status = cirque::FitAngles({constraints, reference.value, options_.epsilon}, *objective,
@@ -172,6 +160,7 @@ class Run {
 
   const Surface& surface_;
   const Triangulation& t_;
+  const ConeTargets& targets_;
   const ParameterizeOptions& options_;
   const SolveControl& control_;
   Parameterization& result_;
@@ -187,11 +176,12 @@ void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
 
 }  // namespace
 
-Status Parameterize(const Surface& surface, const ParameterizeOptions& options,
-                    const SolveControl& control, Parameterization* result) {
+Status Parameterize(const Surface& surface, const ConeTargets& targets,
+                    const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result) {
   *result = Parameterization();
   const Timer timer;
-  const Status status = Run(surface, options, control, result).Execute();
+  const Status status = Run(surface, targets, options, control, result).Execute();
   Certificate& certificate = result->certificate;
   certificate.seconds["total"] = timer.Seconds();
   certificate.outcome = ToString(status.code());

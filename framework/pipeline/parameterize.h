@@ -28,10 +28,11 @@ struct Parameterization {
   Certificate certificate;  ///< filled as far as the stages came, whatever the outcome
 };
 
-/// Flattens a disk with free boundary: coherent angles, log radii, layout. The status is
-/// kInfeasible (certificate holds the proof), kUnrepresentable or kNotConverged when there is no
-/// map; `result` then carries no uv.
-Status Parameterize(const Surface& surface, const ParameterizeOptions& options,
-                    const SolveControl& control, Parameterization* result);
+/// Flattens a disk whose angle sums shall lie in `targets` (FreeBoundaryTargets for the usual map):
+/// coherent angles, log radii, layout. The status is kInfeasible (the certificate holds the proof),
+/// kUnrepresentable or kNotConverged when there is no map; `result` then carries no uv.
+Status Parameterize(const Surface& surface, const ConeTargets& targets,
+                    const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result);
 
 }  // namespace cirque

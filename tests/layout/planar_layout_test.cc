@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/metrics/injectivity.h"
+#include "cirque/metrics/similarity.h"
 
-#include "tests/common/similarity.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {

@@ -5,16 +5,21 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/mesh/generators.h"
+#include "cirque/metrics/similarity.h"
 
-#include "tests/common/similarity.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
 namespace {
 
+Status FreeBoundaryMap(const Surface& surface, const ParameterizeOptions& options,
+                       const SolveControl& control, Parameterization* map) {
+  return Parameterize(surface, FreeBoundaryTargets(surface.triangulation), options, control, map);
+}
+
 Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk) {
   Parameterization map;
-  const Status status = Parameterize(surface, {}, {}, &map);
+  const Status status = FreeBoundaryMap(surface, {}, {}, &map);
   EXPECT_EQ(status.code(), wanted) << status.message();
   EXPECT_EQ(map.certificate.outcome, ToString(wanted));
   return map;
@@ -26,7 +31,7 @@ TEST(Parameterize, PlanarDelaunayMeshComesBackUpToSimilarity) {
   options.epsilon =
       1e-9;  // near-cocircular quads of the patch may be flatter than the default margin
   Parameterization map;
-  ASSERT_TRUE(Parameterize(patch, options, {}, &map).ok());
+  ASSERT_TRUE(FreeBoundaryMap(patch, options, {}, &map).ok());
   std::vector<Eigen::Vector2d> wanted;
   for (const Index v : patch.triangulation.vertex) wanted.push_back(patch.position[v].head<2>());
   EXPECT_LT(FitSimilarity(map.uv.value, wanted).max_error, 1e-9);
@@ -78,7 +83,7 @@ TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
 TEST(Parameterize, ClosedSurfacesAndAnnuliAreRefusedByName) {
   for (const char* name : {"sphere", "torus", "annulus"}) {
     Parameterization map;
-    const Status status = Parameterize(GeneratedSurface(name, 600), {}, {}, &map);
+    const Status status = FreeBoundaryMap(GeneratedSurface(name, 600), {}, {}, &map);
     EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
     EXPECT_NE(status.message().find("boundary loops"), std::string::npos) << status.message();
   }
@@ -88,7 +93,7 @@ TEST(Parameterize, UnknownNamesAreRefused) {
   ParameterizeOptions options;
   options.strategy = "newtn";
   Parameterization map;
-  const Status status = Parameterize(GeneratedSurface("bumpy_terrain", 100), options, {}, &map);
+  const Status status = FreeBoundaryMap(GeneratedSurface("bumpy_terrain", 100), options, {}, &map);
   EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
   EXPECT_NE(status.message().find("did you mean 'newton'?"), std::string::npos);
 }
@@ -98,7 +103,7 @@ TEST(Parameterize, CancellationIsHonoured) {
   SolveControl control;
   control.cancelled = &cancelled;
   Parameterization map;
-  EXPECT_EQ(Parameterize(GeneratedSurface("bumpy_terrain", 100), {}, control, &map).code(),
+  EXPECT_EQ(FreeBoundaryMap(GeneratedSurface("bumpy_terrain", 100), {}, control, &map).code(),
             StatusCode::kCancelled);
 }
 

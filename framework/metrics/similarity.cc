@@ -1,6 +1,7 @@
-#include "tests/common/similarity.h"
+#include "cirque/metrics/similarity.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cirque {
 namespace {
@@ -29,10 +30,13 @@ Similarity FitSimilarity(const std::vector<Eigen::Vector2d>& from,
   Similarity s;
   s.factor = covariance / variance;
   s.shift = to_mean - s.factor * from_mean;
+  double sum_of_squares = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double error = std::abs(s.factor * Complex(from[i]) + s.shift - Complex(to[i]));
     s.max_error = std::max(s.max_error, error / (2 * extent));
+    sum_of_squares += error * error;
   }
+  s.rms_error = std::sqrt(sum_of_squares / static_cast<double>(from.size())) / (2 * extent);
   return s;
 }
 

@@ -10,7 +10,9 @@ namespace cirque {
 /// The orientation-preserving similarity z -> factor z + shift of the plane.
 struct Similarity {
   std::complex<double> factor, shift;
-  double max_error = 0;  ///< largest distance left, relative to the diameter of the target
+  /// The distances left, largest and root mean square, relative to twice the target's largest
+  /// distance from its centroid.
+  double max_error = 0, rms_error = 0;
 };
 
 /// The least-squares similarity from the first points to the second.
