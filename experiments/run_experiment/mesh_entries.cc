@@ -123,7 +123,9 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
       if (!value) return;  // The schema has refused it.
       if (key == "triangles") mesh.generator_options.triangles = static_cast<Index>(*value);
       if (key == "seed") mesh.generator_options.seed = static_cast<unsigned>(*value);
-      if (varies || name.empty()) mesh.name += (key == "seed" ? "-s" : "-") + text;
+      if (varies || name.empty()) {
+        mesh.name += fmt::format("-{}{}", key == "seed" ? "s" : "", text);
+      }
     }
     AddMesh(std::move(mesh), entry);
   }
