@@ -9,6 +9,7 @@
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/run.h"
+#include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
 
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
@@ -49,6 +50,7 @@ Status CheckArguments(const std::vector<std::string>& others) {
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   google::InitGoogleLogging(argv[0]);
+  UseOneBlasThread();
   const StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
   if (!others.ok()) return Conclude(others.status());
   if (FLAGS_help) {

@@ -4,6 +4,7 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
@@ -87,6 +88,7 @@ int Run(ExperimentConfig config) {
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   google::InitGoogleLogging(argv[0]);
+  UseOneBlasThread();
   const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
   if (!arguments.ok()) return Refuse(arguments.status());
   if (FLAGS_help) {

@@ -15,6 +15,7 @@
 
 #include "cirque/core/version.h"
 
+#include "experiments/common/blas_threads.h"
 #include "experiments/run_experiment/content_hash.h"
 
 namespace cirque {
@@ -32,11 +33,6 @@ std::string CpuModel() {
 std::string HostName() {
   char name[256] = {};
   return gethostname(name, sizeof(name) - 1) == 0 ? name : "unknown";
-}
-
-std::string BlasThreads() {
-  const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
-  return threads ? threads : "default";
 }
 
 nlohmann::json Libraries() {
@@ -75,7 +71,7 @@ nlohmann::json Provenance(const ExperimentConfig& config) {
       {"cpu", CpuModel()},
       {"host", HostName()},
       {"cores", std::thread::hardware_concurrency()},
-      {"blas_threads", BlasThreads()},
+      {"blas_threads", NumBlasThreads()},
       {"config", config.name},
       {"config_hash", config.hash},
   };

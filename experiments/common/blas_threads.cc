@@ -1,0 +1,19 @@
+#include "experiments/common/blas_threads.h"
+
+#include <cstdlib>
+
+// OpenBLAS' own functions, absent in other BLAS.
+extern "C" {
+void openblas_set_num_threads(int) __attribute__((weak));
+int openblas_get_num_threads() __attribute__((weak));
+}
+
+namespace cirque {
+
+void UseOneBlasThread() {
+  if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
+}
+
+int NumBlasThreads() { return openblas_get_num_threads ? openblas_get_num_threads() : 0; }
+
+}  // namespace cirque

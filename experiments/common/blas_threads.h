@@ -1,0 +1,13 @@
+#pragma once
+
+namespace cirque {
+
+/// Lets BLAS use one thread, unless OPENBLAS_NUM_THREADS says otherwise: the matrices of a sparse
+/// factorization are small, a second thread gains little on an idle machine and loses much where
+/// jobs run side by side.
+void UseOneBlasThread();
+
+/// The number of threads that BLAS uses; 0 where that cannot be known.
+int NumBlasThreads();
+
+}  // namespace cirque

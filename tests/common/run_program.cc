@@ -1,0 +1,39 @@
+#include "tests/common/run_program.h"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <glog/logging.h>
+
+#include "tests/common/paths.h"
+
+namespace cirque {
+
+ProgramResult RunProgram(const std::string& command) {
+  const std::string line = ProgramFolder() + "/" + command + " < /dev/null 2>&1";
+  std::FILE* pipe = popen(line.c_str(), "r");
+  CHECK(pipe) << line;
+  ProgramResult result;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe)) result.output += buffer.data();
+  const int status = pclose(pipe);
+  result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "cirque-test-XXXXXX").string();
+  CHECK(mkdtemp(pattern.data())) << pattern;
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace cirque

@@ -1,0 +1,141 @@
+// The programs as a user runs them, on files.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cirque/mesh/generators.h"
+#include "cirque/mesh/io.h"
+
+#include "tests/common/run_program.h"
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class ProgramsTest : public ::testing::Test {
+ protected:
+  /// Writes a mesh into the test's folder and returns its path.
+  std::string Write(const std::string& name, const PolygonSoup& soup) const {
+    const std::string path = folder_.Path(name);
+    EXPECT_TRUE(WriteMesh(path, soup).ok());
+    return path;
+  }
+
+  std::string WriteSurface(const std::string& name, const Surface& surface) const {
+    PolygonSoup soup;
+    soup.position = surface.position;
+    soup.corner = surface.triangulation.vertex;
+    for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+      soup.first_corner.push_back(3 * f + 3);
+    }
+    return Write(name, soup);
+  }
+
+  ProgramResult Flatten(const std::string& in, const std::string& out,
+                        const std::string& flags = "") const {
+    return RunProgram("circle_patterns -io " + in + " -oo " + out + " " + flags);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ProgramsTest, AMapOfEveryReadableFormatIsVerified) {
+  const PolygonSoup soup = *GenerateMesh("bumpy_terrain", {400, 1});
+  for (const char* name : {"in.obj", "in.off", "in.ply"}) {
+    const std::string in = Write(name, soup), out = folder_.Path("out.obj");
+    const ProgramResult flattened = Flatten(in, out);
+    EXPECT_EQ(flattened.exit_status, 0) << flattened.output;
+    const ProgramResult verified = RunProgram("verify_map " + in + " " + out);
+    EXPECT_EQ(verified.exit_status, 0) << verified.output;
+    EXPECT_THAT(verified.output, EndsWith("verdict: valid (injective)\n"));
+  }
+}
+
+TEST_F(ProgramsTest, OutputKeepsTheOrderOfVerticesAndFaces) {
+  PolygonSoup soup = *GenerateMesh("enneper_patch", {200, 2});
+  soup.position.insert(soup.position.begin(), Eigen::Vector3d(9, 9, 9));  // isolated
+  for (Index& v : soup.corner) ++v;
+  const std::string in = Write("in.obj", soup), out = folder_.Path("out.obj");
+  ASSERT_EQ(Flatten(in, out).exit_status, 0);
+  const PolygonSoup written = *ReadMesh(out);
+  EXPECT_EQ(written.position, soup.position);
+  EXPECT_EQ(written.corner, soup.corner);
+  EXPECT_EQ(written.texture.size(), soup.position.size() - 1);
+}
+
+TEST_F(ProgramsTest, APlantedFlipIsAnInvalidMap) {
+  const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {300, 1}));
+  const std::string out = folder_.Path("out.obj");
+  ASSERT_EQ(Flatten(in, out).exit_status, 0);
+  PolygonSoup map = *ReadMesh(out);
+  const Index* corner = &map.corner_texture[3 * 17];
+  std::swap(map.texture[corner[0]], map.texture[corner[1]]);
+  const std::string broken = Write("broken.obj", map);
+  const ProgramResult verified = RunProgram("verify_map " + in + " " + broken);
+  EXPECT_EQ(verified.exit_status, 1);
+  EXPECT_THAT(verified.output, HasSubstr("INVALID"));
+}
+
+TEST_F(ProgramsTest, AnInfeasibleMeshLeavesAProofThatVerifies) {
+  const std::string in = WriteSurface("in.obj", Kleetope(GeneratedSurface("bumpy_terrain", 200)));
+  const std::string out = folder_.Path("out.obj"), proof = folder_.Path("out.certificate.json");
+  const ProgramResult flattened = Flatten(in, out);
+  EXPECT_EQ(flattened.exit_status, 3) << flattened.output;
+  EXPECT_THAT(flattened.output, HasSubstr("no coherent angles exist"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const ProgramResult verified = RunProgram("verify_map --infeasible " + proof + " " + in);
+  EXPECT_EQ(verified.exit_status, 0) << verified.output;
+  // The same proof says nothing about another mesh.
+  const std::string other =
+      WriteSurface("other.obj", Kleetope(GeneratedSurface("bumpy_terrain", 200, 2)));
+  EXPECT_NE(RunProgram("verify_map --infeasible " + proof + " " + other).exit_status, 0);
+}
+
+TEST_F(ProgramsTest, ACertificateHasItsNumbers) {
+  const std::string in = Write("in.obj", *GenerateMesh("spherical_cap", {300, 1}));
+  ASSERT_EQ(Flatten(in, folder_.Path("out.obj")).exit_status, 0);
+  std::ifstream file(folder_.Path("out.certificate.json"));
+  const auto json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["outcome"], "ok");
+  EXPECT_LE(json["values"]["radii_gradient"], 1e-9);
+  EXPECT_LE(json["values"]["radii_gap"], 1e-8);
+  EXPECT_EQ(json["values"]["flipped_triangles"], 0);
+  EXPECT_GT(json["values"]["quasi_conformal_mean"], 1);
+}
+
+TEST_F(ProgramsTest, BadInputIsExitStatusTwoAndLeavesNothing) {
+  const std::string in = Write("in.obj", *GenerateMesh("sphere", {100, 1}));
+  const std::string out = folder_.Path("out.obj");
+  for (const auto& [command, word] : std::map<std::string, std::string>{
+           {"circle_patterns -oi " + in, "did you mean"},
+           {"circle_patterns -oo " + out, "-io IN is missing"},
+           {"circle_patterns -io " + in + " -oo " + out, "not a disk"},
+           {"circle_patterns -io " + folder_.Path("none.obj") + " -oo " + out, "none.obj"},
+           {"circle_patterns -io " + in + " -oo " + folder_.Path("x.png"), ".obj"},
+           {"circle_patterns -io " + in + " -oo " + out + " -epsilon many", "epsilon"},
+           {"verify_map " + in, "files given"},
+           {"verify_map " + in + " " + folder_.Path("none.obj"), "none.obj"},
+           {"run_experiment " + folder_.Path("none.yaml"), "none.yaml"}}) {
+    const ProgramResult result = RunProgram(command);
+    EXPECT_EQ(result.exit_status, 2) << command << "\n" << result.output;
+    EXPECT_THAT(result.output, HasSubstr(word)) << command;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(ProgramsTest, HelpIsShownWithStatusZero) {
+  for (const char* program : {"circle_patterns", "verify_map", "run_experiment"}) {
+    const ProgramResult result = RunProgram(std::string(program) + " --help");
+    EXPECT_EQ(result.exit_status, 0);
+    EXPECT_THAT(result.output, HasSubstr(program));
+  }
+}
+
+}  // namespace
+}  // namespace cirque
