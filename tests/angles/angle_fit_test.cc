@@ -1,4 +1,4 @@
-#include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Fitted Fit(const Surface& surface, const ConeTargets& targets, double epsilon = 
   Fitted fitted;
   fitted.status =
       FitAngles({constraints, reference.value, epsilon}, *AngleObjectives().Find("quadratic"),
-                **MakeSolverStrategy("newton"), {}, &fitted.result);
+                **MakeAngleFitMethod("newton"), {}, &fitted.result);
   return fitted;
 }
 
