@@ -134,6 +134,17 @@ Eigen::VectorXd AngleProgram::Blocks::Solve(const Eigen::VectorXd& v) const {
   return x;
 }
 
+Eigen::VectorXd AngleProgram::Blocks::SolveThenG(const Eigen::VectorXd& v) const {
+  const Eigen::VectorXd x = Solve(v);
+  Eigen::VectorXd values = program_.ApplyG(x);
+  for (int k = 0; k < program_.num_inequalities(); ++k) {
+    const Inequality& c = program_.inequalities_[k];
+    if (c.j == kNone) continue;
+    values[k] = c.sign * (own_[c.j] * v[c.i] + own_[c.i] * v[c.j]) / Determinant(c.i, c.j);
+  }
+  return values;
+}
+
 void AngleProgram::Blocks::NormalMatrix(SparseMatrix* lower) const {
   const int angles = program_.constraints_.triangulation().num_halfedges();
   EdgeBlockAssembler matrix(program_.constraints_);

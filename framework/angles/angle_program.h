@@ -40,7 +40,9 @@ class AngleProgram {
    public:
     Blocks(const AngleProgram& program, const Eigen::VectorXd& q);
     Eigen::VectorXd Solve(const Eigen::VectorXd& v) const;  ///< D^-1 v
-    void NormalMatrix(SparseMatrix* lower) const;           ///< B D^-1 B', lower triangle
+    Eigen::VectorXd SolveThenG(
+        const Eigen::VectorXd& v) const;  ///< G D^-1 v; sums of two angles without cancellation
+    void NormalMatrix(SparseMatrix* lower) const;  ///< B D^-1 B', lower triangle
 
    private:
     double Determinant(int i, int j) const;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kToBoundary = 0.995;  ///< share of the way to the nearest bound that a step takes
 constexpr double kShortestStep = 1e-8;
+constexpr double kAngleRounding = 1e-13;                                ///< [rad]
 constexpr double kFirstShift = 1e-14, kRaise = 100, kLastShift = 1e-4;  ///< of the mean diagonal
 
 /// The largest step in [0, 1] along d that keeps v >= 0.
@@ -86,6 +87,8 @@ class InteriorPointSolve {
                     program_.ApplyTransposedB(at_.y) - program_.ApplyTransposedG(at_.z);
     equality_ = program_.EqualityResidual(at_.x);
     inequality_ = program_.Slacks(at_.x) - at_.s;
+    // Slacks become much smaller than the rounding of angles, and must not be corrected by it.
+    inequality_ = (inequality_.array().abs() > kAngleRounding).select(inequality_, 0.0);
     ++summary_.gradient_evaluations;
     summary_.evaluation_seconds += timer.Seconds();
   }
@@ -151,8 +154,9 @@ class InteriorPointSolve {
         -(complementarity + at_.z.cwiseProduct(inequality_)).cwiseQuotient(at_.s);
     const Eigen::VectorXd right = program_.ApplyTransposedG(scaled) - stationarity_;
     d.y = cholesky_->Solve(-equality_ - program_.ApplyB(blocks.Solve(right)));
-    d.x = blocks.Solve(right + program_.ApplyTransposedB(d.y));
-    d.s = program_.ApplyG(d.x) + inequality_;
+    const Eigen::VectorXd full = right + program_.ApplyTransposedB(d.y);
+    d.x = blocks.Solve(full);
+    d.s = blocks.SolveThenG(full) + inequality_;
     d.z = -(complementarity + at_.z.cwiseProduct(d.s)).cwiseQuotient(at_.s);
     ++summary_.linear_solves;
     summary_.solve_seconds += timer.Seconds();

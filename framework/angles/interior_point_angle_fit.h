@@ -10,7 +10,7 @@ namespace cirque {
 
 struct InteriorPointOptions {
   int max_iterations = 100;
-  double gap_tolerance = 1e-12;  ///< largest sum of multiplier * slack, relative to 1 + |objective|
+  double gap_tolerance = 1e-15;  ///< largest sum of multiplier * slack, relative to 1 + |objective|
   double feasibility_tolerance =
       1e-11;  ///< largest residual of sums [rad], and relative one of stationarity
   double max_seconds = 1e9;
