@@ -1,8 +1,7 @@
-#include "cirque/angles/registry.h"
-
 #include <gtest/gtest.h>
 
 #include "cirque/angles/infeasibility.h"
+#include "cirque/angles/registry.h"
 
 #include "tests/common/surfaces.h"
 
