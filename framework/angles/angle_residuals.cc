@@ -82,22 +82,26 @@ class RowResidual final : public ceres::CostFunction {
   const AugmentedState& state_;
 };
 
-/// sqrt(rho) max(0, alpha_l + alpha_r - limit + multiplier / rho) of one interior edge.
-class SumLimitResidual final : public ceres::SizedCostFunction<1, 1, 1> {
+/// sqrt(rho) max(0, sign (sum of the angles - limit) + multiplier / rho) of one inequality.
+template <int... kOnes>
+class LimitResidual final : public ceres::SizedCostFunction<1, kOnes...> {
  public:
-  SumLimitResidual(double limit, Index edge, const AugmentedState& state)
-      : limit_(limit), edge_(edge), state_(state) {}
+  LimitResidual(double sign, double limit, const double& multiplier, const AugmentedState& state)
+      : sign_(sign), limit_(limit), multiplier_(multiplier), state_(state) {}
 
   bool Evaluate(const double* const* x, double* residual, double** jacobians) const override {
+    constexpr int kAngles = sizeof...(kOnes);
+    double sum = 0;
+    for (int i = 0; i < kAngles; ++i) sum += x[i][0];
     const double root = std::sqrt(state_.penalty);
-    const double excess = x[0][0] + x[1][0] - limit_ + state_.of_sums[edge_] / state_.penalty;
+    const double excess = sign_ * (sum - limit_) + multiplier_ / state_.penalty;
     const ResidualJet r = excess > 0 ? ResidualJet{root * excess, root} : ResidualJet{};
-    return Finish(r, 1, 2, residual, jacobians);
+    return Finish(r, sign_, kAngles, residual, jacobians);
   }
 
  private:
-  const double limit_;
-  const Index edge_;
+  const double sign_, limit_;
+  const double& multiplier_;
   const AugmentedState& state_;
 };
 
@@ -119,26 +123,16 @@ class Builder {
     problem_.AddResidualBlock(new CornerResidual(objective_, Clamped(fit_.reference[h])), nullptr,
                               &alpha_[h]);
     if (!(margin_ > 0)) return;
-    problem_.SetParameterLowerBound(&alpha_[h], 0, margin_);
-    if (t_.twin[h] == kNone) problem_.SetParameterUpperBound(&alpha_[h], 0, kPi - margin_);
+    problem_.AddResidualBlock(new LimitResidual<1>(-1, margin_, state_.of_lower[h], state_),
+                              nullptr, &alpha_[h]);
   }
 
   void AddEdge(Index e) {
     const Index l = t_.edge_halfedge[e], r = t_.twin[l];
     if (r == kNone) {
-      if (!objective_.MeasuresTheta()) return;
-      problem_.AddResidualBlock(new ThetaResidual<1>(objective_, Clamped(kPi - fit_.reference[l])),
-                                nullptr, &alpha_[l]);
-      return;
-    }
-    if (objective_.MeasuresTheta()) {
-      const double reference = Clamped(kPi - fit_.reference[l] - fit_.reference[r]);
-      problem_.AddResidualBlock(new ThetaResidual<1, 1>(objective_, reference), nullptr, &alpha_[l],
-                                &alpha_[r]);
-    }
-    if (margin_ > 0) {
-      problem_.AddResidualBlock(new SumLimitResidual(kPi - margin_, e, state_), nullptr, &alpha_[l],
-                                &alpha_[r]);
+      AddToEdge<1>(e, kPi - fit_.reference[l], &alpha_[l]);
+    } else {
+      AddToEdge<1, 1>(e, kPi - fit_.reference[l] - fit_.reference[r], &alpha_[l], &alpha_[r]);
     }
   }
 
@@ -157,6 +151,20 @@ class Builder {
   }
 
  private:
+  /// What concerns the intersection angle.
+  template <int... kOnes, class... Angles>
+  void AddToEdge(Index e, double theta_reference, Angles... angles) {
+    if (objective_.MeasuresTheta()) {
+      problem_.AddResidualBlock(new ThetaResidual<kOnes...>(objective_, Clamped(theta_reference)),
+                                nullptr, angles...);
+    }
+    if (margin_ > 0) {
+      problem_.AddResidualBlock(
+          new LimitResidual<kOnes...>(1, kPi - margin_, state_.of_sums[e], state_), nullptr,
+          angles...);
+    }
+  }
+
   double Clamped(double reference) const {
     return objective_.ClampReference(reference, fit_.epsilon);
   }

@@ -82,6 +82,7 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
     scale_ = curvature / static_cast<double>(t_.num_halfedges());
     state_.penalty = options_.first_penalty * scale_;
     state_.y = Eigen::VectorXd::Zero(fit_.constraints.num_rows());
+    state_.of_lower = Eigen::VectorXd::Zero(t_.num_halfedges());
     state_.of_sums = Eigen::VectorXd::Zero(t_.num_edges());
     summary_.initial_gradient_max = residual_ = std::numeric_limits<double>::infinity();
   }
@@ -128,13 +129,17 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
       state_.y[row] = -state_.penalty *
                       SignedDistance(sums[row] - state_.y[row] / state_.penalty, lower, upper);
     }
+    const auto update = [&](double excess, double* multiplier) {
+      residual = std::max(residual, std::max(excess, -*multiplier / state_.penalty));
+      *multiplier = std::max(0.0, *multiplier + state_.penalty * excess);
+    };
+    for (Index h = 0; h < t_.num_halfedges() && margin_ > 0; ++h) {
+      update(margin_ - alpha_[h], &state_.of_lower[h]);
+    }
     for (Index e = 0; e < t_.num_edges() && margin_ > 0; ++e) {
       const Index l = t_.edge_halfedge[e];
-      if (t_.twin[l] == kNone) continue;
-      const double excess = alpha_[l] + alpha_[t_.twin[l]] - (kPi - margin_);
-      double& multiplier = state_.of_sums[e];
-      residual = std::max(residual, std::max(excess, -multiplier / state_.penalty));
-      multiplier = std::max(0.0, multiplier + state_.penalty * excess);
+      const double opposite = t_.twin[l] == kNone ? 0 : alpha_[t_.twin[l]];
+      update(alpha_[l] + opposite - (kPi - margin_), &state_.of_sums[e]);
     }
     Judge(residual);
   }

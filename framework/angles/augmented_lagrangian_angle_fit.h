@@ -22,7 +22,8 @@ const OptionTable<AugmentedLagrangianOptions>& AugmentedLagrangianOptionTable();
 /// Augmented Lagrangian on Ceres residual blocks, for every objective: ceres::Solve (Gauss-Newton
 /// with a trust region, sparse normal Cholesky) minimises objective and penalties at fixed
 /// multipliers (AddAngleResiduals), an outer loop updates them by
-///   y -= rho (A alpha - b),   of_sums = max(0, of_sums + rho (alpha_l + alpha_r - (pi - m))).
+///   y -= rho (A alpha - b),   of_lower = max(0, of_lower + rho (m - alpha)),
+///   of_sums = max(0, of_sums + rho (alpha_l + alpha_r - (pi - m))).
 /// The callback gets the angles.
 /// Source: Nocedal & Wright, Numerical Optimization, section 17.4.
 class AugmentedLagrangianAngleFit final : public AngleFitMethod {
