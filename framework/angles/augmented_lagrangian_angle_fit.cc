@@ -84,7 +84,10 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
     state_.y = Eigen::VectorXd::Zero(fit_.constraints.num_rows());
     state_.of_lower = Eigen::VectorXd::Zero(t_.num_halfedges());
     state_.of_sums = Eigen::VectorXd::Zero(t_.num_edges());
-    summary_.initial_gradient_max = residual_ = std::numeric_limits<double>::infinity();
+    const KktReport start = CheckFeasibility(fit_.constraints, alpha_);
+    summary_.initial_gradient_max =
+        std::max(start.triangle_sum_residual, start.vertex_sum_residual);
+    residual_ = std::numeric_limits<double>::infinity();
   }
 
   ceres::Solver::Options InnerOptions() {
@@ -93,7 +96,7 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
     options.initial_trust_region_radius = options.max_trust_region_radius = kGaussNewtonRadius;
     options.max_num_consecutive_invalid_steps = 100;
     options.max_num_iterations = std::max(1, options_.max_iterations - summary_.num_iterations());
-    options.function_tolerance = options.parameter_tolerance = 1e-15;
+    options.function_tolerance = options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 1e-13 * scale_;
     options.logging_type = ceres::SILENT;
     options.update_state_every_iteration = true;
@@ -216,7 +219,10 @@ Status AugmentedLagrangianAngleFit::Fit(const AngleFitProblem& problem,
                                         const SolveControl& control, AngleFitResult* result) const {
   AugmentedLagrangianSolve solve(problem, *objective, options_, control);
   result->solve = solve.Run();
-  return FinishFit(problem, *objective, solve.proof(), solve.angles(), solve.multipliers(), result);
+  const Status status =
+      FinishFit(problem, *objective, solve.proof(), solve.angles(), solve.multipliers(), result);
+  result->solve.final_value = result->kkt.primal;
+  return status;
 }
 
 }  // namespace cirque
