@@ -10,6 +10,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/pipeline/infeasibility_files.h"
 
 namespace cirque {
 namespace {
@@ -44,7 +45,25 @@ std::string Summary(const Certificate& c) {
   return text;
 }
 
+/// The faces and vertices that carry a proof, as a table and as a coloured mesh.
+Status WriteCarriers(const std::string& stem, const Surface& surface,
+                     const InfeasibilityProof& proof, std::ostream& report) {
+  const std::string csv = stem + ".infeasible.csv", ply = stem + ".infeasible.ply";
+  if (Status s = WriteFileAtomically(csv, InfeasibilityCsv(proof)); !s.ok()) return s;
+  if (Status s = WriteFileAtomically(ply, InfeasibilityPly(surface, proof)); !s.ok()) return s;
+  report << "carriers    " << csv << ", " << ply << "\n";
+  return Status();
+}
+
 }  // namespace
+
+std::string CarrierStem(const CirclePatternsJob& job) {
+  const std::string path = CertificatePath(job);
+  for (const std::string ending : {".certificate.json", ".json"}) {
+    if (path.ends_with(ending)) return path.substr(0, path.size() - ending.size());
+  }
+  return path;
+}
 
 std::string CertificatePath(const CirclePatternsJob& job) {
   if (!job.certificate.empty()) return job.certificate;
@@ -85,6 +104,10 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
   const std::string certificate = CertificatePath(job);
   if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
   report << "certificate " << certificate << "\n";
+  const InfeasibilityProof& proof = map.certificate.infeasibility;
+  if (!proof.empty()) {
+    if (Status s = WriteCarriers(CarrierStem(job), *surface, proof, report); !s.ok()) return s;
+  }
   return status;
 }
 

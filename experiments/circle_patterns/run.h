@@ -18,9 +18,13 @@ struct CirclePatternsJob {
 /// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".
 std::string CertificatePath(const CirclePatternsJob& job);
 
+/// Where a proof of infeasibility leaves the faces and vertices that carry it: the certificate's
+/// path without ".certificate.json"; ".infeasible.csv" and ".infeasible.ply" are added.
+std::string CarrierStem(const CirclePatternsJob& job);
+
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to
-/// be parameterized.
+/// be parameterized, beside it the carriers of a proof that there is no map.
 Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report);
 
 }  // namespace cirque

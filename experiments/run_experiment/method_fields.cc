@@ -2,6 +2,7 @@
 
 #include <glog/logging.h>
 
+#include "cirque/angles/registry.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -35,7 +36,7 @@ const std::vector<MethodField>& MethodFields() {
       {"angle_fit", &Options::angle_fit, "the objective of the angle fit", 0, 0,
        AngleObjectives().Names()},
       {"angle_strategy", &Options::angle_strategy, "the solver of the angle fit", 0, 0,
-       SolverStrategies().Names()},
+       AngleStrategyNames()},
       {"strategy", &Options::strategy, "the solver of the log radii", 0, 0,
        SolverStrategies().Names()},
       {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},

@@ -2,51 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "cirque/angles/infeasibility.h"
 #include "cirque/core/text.h"
-#include "cirque/energy/dual_angle_energy.h"
 
 namespace cirque {
 namespace {
 
-constexpr double kAcceptedGradient = 1e-9;
+constexpr double kAcceptedSums = 1e-9;  ///< [rad]
+constexpr double kAcceptedGap = 1e-8;
 constexpr double kLeastEpsilon = 1e-8;
-
-/// Watches the dual's iterates for a proof of infeasibility: where none exists they run off along
-/// one, so both the iterate and its last step are candidates.
-class InfeasibilityWatch {
- public:
-  InfeasibilityWatch(const AngleFitProblem& problem, double margin, const SolveControl& outer)
-      : problem_(problem), margin_(margin), outer_(outer) {}
-
-  CallbackAction operator()(const IterationRecord& record, const Eigen::VectorXd& y) {
-    if (outer_.callback && outer_.callback(record, y) == CallbackAction::kStop) {
-      return CallbackAction::kStop;
-    }
-    Consider(y);
-    if (previous_.size() == y.size()) Consider(y - previous_);
-    previous_ = y;
-    return proof_.empty() ? CallbackAction::kContinue : CallbackAction::kStop;
-  }
-
-  const InfeasibilityProof& proof() const { return proof_; }
-
- private:
-  void Consider(const Eigen::VectorXd& candidate) {
-    if (proof_.empty() && margin_ >= 0) {
-      proof_ = ProveInfeasible(problem_.constraints, margin_, candidate);
-    }
-  }
-
-  const AngleFitProblem& problem_;
-  const double margin_;  ///< of Q_e; negative: no inequality can be violated
-  const SolveControl& outer_;
-  Eigen::VectorXd previous_;
-  InfeasibilityProof proof_;
-};
 
 /// Makes triangle sums exact to rounding: the radii's gradient sums to their total error.
 void CloseTriangles(Eigen::VectorXd* alpha) {
@@ -107,29 +74,25 @@ double FirstEpsilon(const AngleFitProblem& problem) {
 
 }  // namespace
 
-Status FitAnglesByDual(const AngleFitProblem& problem,
-                       const std::shared_ptr<const AngleObjective>& objective,
-                       const SolverStrategy& strategy, const SolveControl& control,
-                       AngleFitResult* result) {
-  const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, objective);
-  InfeasibilityWatch watch(problem, objective->Margin(problem.epsilon), control);
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
-  const SolveControl watched{std::ref(watch), control.cancelled};
-  result->solve = strategy.Minimize(energy, watched, &y);
-  if (!watch.proof().empty()) {
-    result->infeasibility = watch.proof();
-    return Status(StatusCode::kInfeasible, InfeasibleMessage(watch.proof()));
+Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
+                 InfeasibilityProof proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
+                 AngleFitResult* result) {
+  result->multipliers = std::move(multipliers);
+  if (!proof.empty()) {
+    result->infeasibility = std::move(proof);
+    return Status(StatusCode::kInfeasible, InfeasibleMessage(result->infeasibility));
   }
   if (result->solve.termination == Termination::kCancelled) {
     return Status(StatusCode::kCancelled, "angle fit: cancelled");
   }
-  result->angles = {energy.Angles(y.data()), problem.epsilon};
-  CloseTriangles(&result->angles.value);
-  result->kkt = CheckFeasibility(problem.constraints, result->angles.value);
-  result->kkt.primal = energy.Primal(result->angles.value);
-  result->kkt.dual = -result->solve.final_value;
-  result->clamped_references = CountClamped(problem, *objective);
-  if (!(result->solve.final_gradient_max <= kAcceptedGradient)) {
+  const KktReport found = CheckFeasibility(problem.constraints, alpha);
+  CloseTriangles(&alpha);
+  result->kkt = CheckKkt(problem, objective, alpha, result->multipliers);
+  result->angles = {std::move(alpha), problem.epsilon};
+  result->clamped_references = CountClamped(problem, objective);
+  const double sums = std::max(found.triangle_sum_residual, found.vertex_sum_residual);
+  const bool optimal = result->solve.Converged() || result->kkt.RelativeGap() <= kAcceptedGap;
+  if (!(sums <= kAcceptedSums && optimal)) {
     return Status(StatusCode::kNotConverged, "angle fit: " + result->solve.BriefReport());
   }
   return RequireCoherent(result->kkt);
@@ -137,12 +100,12 @@ Status FitAnglesByDual(const AngleFitProblem& problem,
 
 Status FitAngles(const AngleFitProblem& problem,
                  const std::shared_ptr<const AngleObjective>& objective,
-                 const SolverStrategy& strategy, const SolveControl& control,
+                 const AngleFitMethod& method, const SolveControl& control,
                  AngleFitResult* result) {
   AngleFitProblem attempt{problem.constraints, problem.reference, FirstEpsilon(problem)};
   while (true) {
     *result = AngleFitResult();
-    const Status status = FitAnglesByDual(attempt, objective, strategy, control, result);
+    const Status status = method.Fit(attempt, objective, control, result);
     const bool smaller_margin_may_do =
         status.code() == StatusCode::kInfeasible && result->infeasibility.epsilon_over_pi > 0;
     if (!smaller_margin_may_do || attempt.epsilon <= kLeastEpsilon) return status;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cirque/angles/exact_proof.h"
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int kMaxDenominator = 12;  ///< of the integer multiples that are tried
 constexpr double kSafety =
-    1e-9;  ///< share of sum |terms| that the margin must exceed: far above rounding
+    1e-9;  ///< share of sum |terms| that the margin must exceed: far above rounding, so
+           ///< that the exact check is asked only what it will confirm
 constexpr int kMaxCarriers = 50;
 
 /// max of p a + q b over the triangle with corners (eps, eps), (1 - 2 eps, eps), (eps, 1 - 2 eps).
@@ -68,6 +70,7 @@ std::vector<Index> Carriers(const Eigen::VectorXd& multipliers, const std::vecto
   return carriers;
 }
 
+/// The proof by these multipliers; empty when its numbers, taken exactly, prove nothing.
 InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon,
                              const Eigen::VectorXd& y, double margin) {
   InfeasibilityProof proof;
@@ -83,7 +86,7 @@ InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon
   }
   proof.carrying_faces = Carriers(y.head(faces), {});
   proof.carrying_vertices = Carriers(y.tail(y.size() - faces), proof.constrained_vertex);
-  return proof;
+  return ProvesExactly(constraints.triangulation(), proof) ? proof : InfeasibilityProof();
 }
 
 /// At margin 0 the inequality may hold with equality (the conditions are open), which only exact
@@ -97,7 +100,8 @@ InfeasibilityProof ProveWithIntegers(const AngleConstraints& constraints,
     // the whole sum.
     if (margin.value >= -1e-13 * margin.magnitude && margin.magnitude > 0 &&
         InfeasibilityMargin(constraints, 1e-6, y) > 0) {
-      return MakeProof(constraints, 0, y, std::max(0.0, margin.value));
+      InfeasibilityProof proof = MakeProof(constraints, 0, y, std::max(0.0, margin.value));
+      if (!proof.empty()) return proof;
     }
   }
   return {};
@@ -119,10 +123,26 @@ InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double e
   if (!(with_epsilon.value > kSafety * with_epsilon.magnitude)) return {};
   const Margin without = ComputeMargin(constraints, 0, unit);
   if (without.value > kSafety * without.magnitude) {
-    return MakeProof(constraints, 0, unit, without.value);
+    InfeasibilityProof proof = MakeProof(constraints, 0, unit, without.value);
+    if (!proof.empty()) return proof;
   }
   InfeasibilityProof exact = ProveWithIntegers(constraints, unit);
   return exact.empty() ? MakeProof(constraints, epsilon, unit, with_epsilon.value) : exact;
+}
+
+InfeasibilityProof ProofFrom(const AngleConstraints& constraints, const Eigen::VectorXd& y) {
+  return MakeProof(constraints, 0, y, std::max(0.0, ComputeMargin(constraints, 0, y).value));
+}
+
+bool InfeasibilityWatch::Found(const Eigen::VectorXd& y) {
+  if (!proof_.empty()) return true;
+  if (margin_ < 0) return false;
+  proof_ = ProveInfeasible(constraints_, margin_, y);
+  if (proof_.empty() && previous_.size() == y.size()) {
+    proof_ = ProveInfeasible(constraints_, margin_, y - previous_);
+  }
+  previous_ = y;
+  return !proof_.empty();
 }
 
 }  // namespace cirque

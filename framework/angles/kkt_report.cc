@@ -2,8 +2,101 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include "cirque/energy/dual_angle_energy.h"
 
 namespace cirque {
+namespace {
+
+/// The larger value, or NaN as soon as one is: a report must not swallow what is undefined.
+double Worse(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? kUnset : std::max(a, b);
+}
+
+/// Collects the conditions on the inequalities' multipliers, edge by edge.
+class InequalityCheck {
+ public:
+  InequalityCheck(const AngleFitProblem& problem, const AngleObjective& objective,
+                  const Eigen::VectorXd& alpha, const Eigen::VectorXd& y)
+      : problem_(problem),
+        objective_(objective),
+        alpha_(alpha),
+        y_(y),
+        margin_(objective.Margin(problem.epsilon)) {}
+
+  void AddEdge(Index l, Index r) {
+    if (r == kNone) return AddBoundaryEdge(l);
+    const double theta = kPi - alpha_[l] - alpha_[r];
+    const double excess_l = Excess(l, theta, kPi - problem_.reference[l] - problem_.reference[r]);
+    const double excess_r = Excess(r, theta, kPi - problem_.reference[l] - problem_.reference[r]);
+    if (margin_ < 0) return AddFree(excess_l), AddFree(excess_r);
+    if (theta >= alpha_[l] && theta >= alpha_[r]) {
+      Add(-excess_l, alpha_[l]);
+      Add(-excess_r, alpha_[r]);
+      return;
+    }
+    const bool left_is_free = alpha_[l] >= alpha_[r];
+    const double mu = left_is_free ? excess_l : excess_r;
+    Add(mu, theta);
+    Add(mu - (left_is_free ? excess_r : excess_l), left_is_free ? alpha_[r] : alpha_[l]);
+  }
+
+  double dual_infeasibility() const { return dual_infeasibility_ / (1 + largest_slope_); }
+  double complementarity() const { return complementarity_; }
+
+ private:
+  void AddBoundaryEdge(Index h) {
+    const double theta = kPi - alpha_[h];
+    const double excess = Excess(h, theta, kPi - problem_.reference[h]);
+    if (margin_ < 0) return AddFree(excess);
+    theta < alpha_[h] ? Add(excess, theta) : Add(-excess, alpha_[h]);
+  }
+
+  /// (A'y - grad phi)_h.
+  double Excess(Index h, double theta, double theta_reference) {
+    const auto slope = [&](double raw, double x) {
+      return objective_.Distance(objective_.ClampReference(raw, problem_.epsilon), x).slope;
+    };
+    const double wanted = problem_.constraints.Slope(y_.data(), h);
+    largest_slope_ = std::max(largest_slope_, std::abs(wanted));
+    double gradient = slope(problem_.reference[h], alpha_[h]);
+    if (objective_.MeasuresTheta()) gradient -= slope(theta_reference, theta);
+    return wanted - gradient;
+  }
+
+  /// A multiplier with the angle that it holds above the margin.
+  void Add(double multiplier, double angle) {
+    dual_infeasibility_ = Worse(dual_infeasibility_, -multiplier);
+    complementarity_ = Worse(complementarity_, std::abs(multiplier * (angle - margin_)));
+  }
+
+  /// Without inequalities the whole excess is an error.
+  void AddFree(double excess) {
+    dual_infeasibility_ = Worse(dual_infeasibility_, std::abs(excess));
+  }
+
+  const AngleFitProblem& problem_;
+  const AngleObjective& objective_;
+  const Eigen::VectorXd& alpha_;
+  const Eigen::VectorXd& y_;
+  const double margin_;
+  double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0;
+};
+
+double RangeComplementarity(const AngleConstraints& constraints, const Eigen::VectorXd& alpha,
+                            const Eigen::VectorXd& y) {
+  const Eigen::VectorXd sums = constraints.Apply(alpha);
+  double worst = 0;
+  for (int row = constraints.num_faces(); row < constraints.num_rows(); ++row) {
+    const double lower = constraints.Lower(row), upper = constraints.Upper(row);
+    if (lower == upper) continue;
+    worst = Worse(worst, std::abs(y[row] * (sums[row] - (y[row] > 0 ? lower : upper))));
+  }
+  return worst;
+}
+
+}  // namespace
 
 double KktReport::RelativeGap() const { return std::abs(primal - dual) / (1 + std::abs(primal)); }
 
@@ -17,7 +110,7 @@ KktReport CheckFeasibility(const AngleConstraints& constraints, const Eigen::Vec
         std::max({0.0, constraints.Lower(row) - sums[row], sums[row] - constraints.Upper(row)});
     double& residual =
         row < constraints.num_faces() ? report.triangle_sum_residual : report.vertex_sum_residual;
-    residual = std::max(residual, outside);
+    residual = Worse(residual, std::isnan(sums[row]) ? kUnset : outside);
   }
   report.smallest_angle = alpha.minCoeff();
   report.smallest_theta = kPi;
@@ -25,6 +118,32 @@ KktReport CheckFeasibility(const AngleConstraints& constraints, const Eigen::Vec
     const double opposite = t.twin[h] == kNone ? 0 : alpha[t.twin[h]];
     report.smallest_theta = std::min(report.smallest_theta, kPi - alpha[h] - opposite);
   }
+  return report;
+}
+
+KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objective,
+                   const Eigen::VectorXd& alpha, const Eigen::VectorXd& y) {
+  KktReport report = CheckFeasibility(problem.constraints, alpha);
+  const double margin = objective.Margin(problem.epsilon);
+  report.inequality_violation =
+      margin < 0 ? 0
+                 : std::max({0.0, margin - report.smallest_angle, margin - report.smallest_theta});
+  // The energy shares the objective for the length of this call only: an aliasing pointer owns
+  // nothing.
+  const std::shared_ptr<const AngleObjective> borrowed(std::shared_ptr<void>(), &objective);
+  const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, borrowed);
+  report.primal = energy.Primal(alpha);
+  double negated_dual = kUnset;
+  energy.Evaluate(y.data(), &negated_dual, nullptr);
+  report.dual = -negated_dual;
+  report.stationarity = (alpha - energy.Angles(y.data())).lpNorm<Eigen::Infinity>();
+  const Triangulation& t = problem.constraints.triangulation();
+  InequalityCheck check(problem, objective, alpha, y);
+  for (const Index h : t.edge_halfedge) check.AddEdge(h, t.twin[h]);
+  report.dual_infeasibility = check.dual_infeasibility();
+  report.complementarity =
+      Worse(check.complementarity(), RangeComplementarity(problem.constraints, alpha, y)) /
+      (1 + std::abs(report.primal));
   return report;
 }
 

@@ -1,8 +1,8 @@
 #include "cirque/energy/dual_angle_energy.h"
 
-#include <array>
 #include <utility>
 
+#include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
@@ -53,31 +53,17 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
 
 bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
   const Triangulation& t = constraints_.triangulation();
-  const int rows = constraints_.num_rows();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(rows + 3 * t.num_halfedges());
-  for (int row = 0; row < rows; ++row) entries.emplace_back(row, row, 0.0);
-  const auto add = [&](Index h, Index g, double weight) {
-    if (weight == 0) return;
-    const std::array<int, 2> of_h = {Triangulation::Face(h), constraints_.VertexRow(h)};
-    const std::array<int, 2> of_g = {Triangulation::Face(g), constraints_.VertexRow(g)};
-    for (const int i : of_h) {
-      for (const int j : of_g) {
-        if (i != kNone && j != kNone && i >= j) entries.emplace_back(i, j, weight);
-      }
-    }
-  };
+  EdgeBlockAssembler matrix(constraints_);
   for (Index e = 0; e < t.num_edges(); ++e) {
     const EdgeConjugate g = Conjugate(e, y);
     const Index l = t.edge_halfedge[e], r = t.twin[l];
-    add(l, l, g.h_ll);
+    matrix.Add(l, l, g.h_ll);
     if (r == kNone) continue;
-    add(r, r, g.h_rr);
-    add(l, r, g.h_lr);
-    add(r, l, g.h_lr);
+    matrix.Add(r, r, g.h_rr);
+    matrix.Add(l, r, g.h_lr);
+    matrix.Add(r, l, g.h_lr);
   }
-  lower->resize(rows, rows);
-  lower->setFromTriplets(entries.begin(), entries.end());
+  matrix.Assemble(lower);
   return true;
 }
 

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
+#include "cirque/angles/targets.h"
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
 #include "cirque/layout/planar_layout.h"
@@ -55,20 +56,21 @@ class Run {
     return status;
   }
 
-  StatusOr<std::shared_ptr<const SolverStrategy>> Strategy(const std::string& name) const {
-    return MakeSolverStrategy(name, {{"max_iterations", std::to_string(options_.max_iterations)}});
+  OptionMap SolverOptions() const {
+    return {{"max_iterations", std::to_string(options_.max_iterations)}};
   }
 
   Status FitAngles() {
     const auto objective = AngleObjectives().Find(options_.angle_fit);
     if (!objective.ok()) return objective.status();
-    const auto strategy = Strategy(options_.angle_strategy);
-    if (!strategy.ok()) return strategy.status();
+    const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
+    if (!method.ok()) return method.status();
+    if (Status s = CheckTargets(t_, targets_, &certificate_.infeasibility); !s.ok()) return s;
     const AngleConstraints constraints(t_, targets_);
     const CornerAngles reference = MeasureCornerAngles(t_, lengths_);
     AngleFitResult fit;
     Status status = cirque::FitAngles({constraints, reference.value, options_.epsilon}, *objective,
-                                      **strategy, control_, &fit);
+                                      **method, control_, &fit);
     certificate_.infeasibility = std::move(fit.infeasibility);
     Record("angle", fit.solve);
     Put({{"smallest_angle", fit.kkt.smallest_angle},
@@ -84,7 +86,7 @@ class Run {
   }
 
   Status SolveRadii() {
-    const auto strategy = Strategy(options_.strategy);
+    const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
     if (!strategy.ok()) return strategy.status();
     LogRadiiResult radii;
     Status status = SolveLogRadii(t_, result_.angles, **strategy, control_, &radii);

@@ -14,7 +14,7 @@ namespace cirque {
 /// by its name.
 struct ParameterizeOptions {
   std::string angle_fit = "quadratic";    ///< a name of AngleObjectives()
-  std::string angle_strategy = "newton";  ///< a name of SolverStrategies(), for the angle fit
+  std::string angle_strategy = "newton";  ///< a name of AngleStrategyNames()
   std::string strategy = "newton";        ///< a name of SolverStrategies(), for the log radii
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve

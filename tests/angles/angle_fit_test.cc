@@ -1,8 +1,7 @@
-#include "cirque/angles/angle_fit.h"
-
 #include <gtest/gtest.h>
 
 #include "cirque/angles/infeasibility.h"
+#include "cirque/angles/registry.h"
 
 #include "tests/common/surfaces.h"
 
@@ -20,7 +19,7 @@ Fitted Fit(const Surface& surface, const ConeTargets& targets, double epsilon = 
   Fitted fitted;
   fitted.status =
       FitAngles({constraints, reference.value, epsilon}, *AngleObjectives().Find("quadratic"),
-                **MakeSolverStrategy("newton"), {}, &fitted.result);
+                **MakeAngleFitMethod("newton"), {}, &fitted.result);
   return fitted;
 }
 

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
 
 #include "tests/common/surfaces.h"
 
@@ -19,7 +19,7 @@ class CirclePatternEnergyTest : public ::testing::Test {
     const AngleConstraints constraints(t(), targets_);
     AngleFitResult fit;
     const CornerAngles reference = AnglesOf(surface_);
-    const auto newton = *MakeSolverStrategy("newton");
+    const auto newton = *MakeAngleFitMethod("newton");
     const Status status = FitAngles({constraints, reference.value, 1e-3},
                                     *AngleObjectives().Find("quadratic"), *newton, {}, &fit);
     EXPECT_TRUE(status.ok()) << status.message();

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "cirque/angles/angle_fit.h"
+#include "cirque/core/option_table.h"
+
+namespace cirque {
+
+struct InteriorPointOptions {
+  int max_iterations = 100;
+  double gap_tolerance = 1e-15;  ///< largest sum of multiplier * slack, relative to 1 + |objective|
+  double feasibility_tolerance =
+      1e-11;  ///< largest residual of sums [rad], and relative one of stationarity
+  double max_seconds = 1e9;
+  std::string linear_solver;  ///< a name of LinearSolvers(); empty: its first
+};
+
+const OptionTable<InteriorPointOptions>& InteriorPointOptionTable();
+
+/// Primal-dual interior point with Mehrotra's predictor and corrector for the quadratic objectives
+/// (`quadratic`, `weighted_quadratic`, `least_squares`). With slacks s = G x - h and their
+/// multipliers z, D = diag(w) + G' diag(z / s) G is block diagonal by edges, so that each step's
+/// linear system reduces by hand to B D^-1 B' in the multipliers y: as sparse as the dual's
+/// Hessian, positive definite, factored once a step. Ranged vertex sums are variables of their own.
+/// The callback gets the angles. Source: S. Mehrotra, On the implementation of a primal-dual
+/// interior point method, SIAM J. Optim. 2 (1992); Nocedal & Wright, Numerical Optimization,
+/// algorithm 16.4.
+class InteriorPointAngleFit final : public AngleFitMethod {
+ public:
+  explicit InteriorPointAngleFit(const InteriorPointOptions& options) : options_(options) {}
+  Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
+             const SolveControl& control, AngleFitResult* result) const override;
+
+ private:
+  InteriorPointOptions options_;
+};
+
+}  // namespace cirque

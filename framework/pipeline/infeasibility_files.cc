@@ -1,0 +1,100 @@
+#include "cirque/pipeline/infeasibility_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace cirque {
+namespace {
+
+constexpr double kCarries = 1e-3;  ///< share of the largest multiplier
+constexpr double kGrey = 200;
+
+double Largest(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// `id(i)` numbers the i-th multiplier.
+template <class Id>
+void AppendCarriers(const char* kind, const std::vector<double>& multipliers, const Id& id,
+                    std::string* csv) {
+  const double least = kCarries * Largest(multipliers);
+  for (std::size_t i = 0; i < multipliers.size(); ++i) {
+    if (std::abs(multipliers[i]) <= least) continue;
+    fmt::format_to(std::back_inserter(*csv), "{},{},{}\n", kind, id(i), multipliers[i]);
+  }
+}
+
+/// Multipliers divided by the largest: in [-1, 1].
+std::vector<double> Relative(std::vector<double> multipliers) {
+  const double largest = Largest(multipliers);
+  for (double& multiplier : multipliers) multiplier = largest > 0 ? multiplier / largest : 0;
+  return multipliers;
+}
+
+/// Per face its strongest relative multiplier.
+std::vector<double> FaceStrengths(const Surface& surface, const InfeasibilityProof& proof) {
+  const Triangulation& t = surface.triangulation;
+  const std::vector<double> of_constrained = Relative(proof.vertex_multiplier);
+  std::vector<double> strength = Relative(proof.face_multiplier);
+  std::vector<double> of_vertex(t.num_vertices, 0.0);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const auto found = std::lower_bound(proof.constrained_vertex.begin(),
+                                        proof.constrained_vertex.end(), surface.soup_vertex[v]);
+    if (found == proof.constrained_vertex.end() || *found != surface.soup_vertex[v]) continue;
+    of_vertex[v] = of_constrained[found - proof.constrained_vertex.begin()];
+  }
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    double& of_face = strength[Triangulation::Face(h)];
+    if (std::abs(of_vertex[t.vertex[h]]) > std::abs(of_face)) of_face = of_vertex[t.vertex[h]];
+  }
+  return strength;
+}
+
+std::array<int, 3> Colour(double strength) {
+  const double share = std::abs(strength) <= kCarries ? 0 : std::sqrt(std::abs(strength));
+  const int strong = static_cast<int>(std::lround(kGrey + (255 - kGrey) * share));
+  const int weak = static_cast<int>(std::lround(kGrey * (1 - share)));
+  return strength > 0 ? std::array<int, 3>{strong, weak, weak}
+                      : std::array<int, 3>{weak, weak, strong};
+}
+
+}  // namespace
+
+std::string InfeasibilityCsv(const InfeasibilityProof& proof) {
+  std::string csv = "kind,id,multiplier\n";
+  AppendCarriers(
+      "face", proof.face_multiplier, [](std::size_t i) { return i; }, &csv);
+  AppendCarriers(
+      "vertex", proof.vertex_multiplier, [&](std::size_t i) { return proof.constrained_vertex[i]; },
+      &csv);
+  return csv;
+}
+
+std::string InfeasibilityPly(const Surface& surface, const InfeasibilityProof& proof) {
+  const Triangulation& t = surface.triangulation;
+  std::string ply = fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+      t.num_vertices, t.num_faces());
+  const auto out = std::back_inserter(ply);
+  for (const Eigen::Vector3d& p : surface.position) {
+    fmt::format_to(out, "{} {} {}\n", p.x(), p.y(), p.z());
+  }
+  const std::vector<double> strengths = FaceStrengths(surface, proof);
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    const auto [red, green, blue] = Colour(strengths[f]);
+    fmt::format_to(out, "3 {} {} {} {} {} {}\n", t.vertex[3 * f], t.vertex[3 * f + 1],
+                   t.vertex[3 * f + 2], red, green, blue);
+  }
+  return ply;
+}
+
+}  // namespace cirque

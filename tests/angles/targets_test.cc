@@ -1,0 +1,86 @@
+#include "cirque/angles/targets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/angles/exact_proof.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+
+ConeTargets FanTargets(Index v, double lower, double upper) {
+  ConeTargets targets = FlatTargets(Fan(6, 0.5).triangulation);
+  targets.lower[v] = lower;
+  targets.upper[v] = upper;
+  return targets;
+}
+
+/// Two triangles glued along two edges: a disk whose inner vertex 0 has valence 2.
+Triangulation Pillow() { return NumberEdges(3, {0, 1, 2, 0, 2, 1}, {kNone, 5, 4, kNone, 2, 1}); }
+
+void ExpectRefused(const Triangulation& t, const ConeTargets& targets, const std::string& words) {
+  InfeasibilityProof proof;
+  const Status status = CheckTargets(t, targets, &proof);
+  EXPECT_EQ(status.code(), StatusCode::kInfeasible);
+  EXPECT_THAT(status.message(), HasSubstr(words));
+  EXPECT_TRUE(ProvesExactly(t, proof)) << status.message();
+}
+
+TEST(CheckTargets, AcceptsFlatDisksAndSpheresWithEnoughCurvature) {
+  EXPECT_TRUE(CheckTargets(Fan(6, 0.5).triangulation, FanTargets(1, 0.3, 2)).ok());
+  const Triangulation torus = GeneratedSurface("torus", 300).triangulation;
+  EXPECT_TRUE(CheckTargets(torus, FlatTargets(torus)).ok());
+  const Triangulation sphere = GeneratedSurface("sphere", 300).triangulation;
+  ConeTargets cones = FlatTargets(sphere);
+  // 12 cones of curvature pi / 3, whose sums are not exact in floating point.
+  for (Index v = 0; v < 12; ++v) cones.lower[v] = cones.upper[v] = 5 * kPi / 3;
+  EXPECT_TRUE(CheckTargets(sphere, cones).ok()) << CheckTargets(sphere, cones).message();
+}
+
+TEST(CheckTargets, RefusesNumbersThatMeanNothing) {
+  const Triangulation t = Fan(6, 0.5).triangulation;
+  const std::pair<ConeTargets, std::string> cases[] = {
+      {FanTargets(3, 2, 1), "[2, 1] rad of vertex 3 (0-based) is empty"},
+      {FanTargets(2, -1, 1), "vertex 2 (0-based) is negative"},
+      {FanTargets(2, 0, std::numeric_limits<double>::quiet_NaN()), "is not finite"},
+      {ConeTargets{{1}, {1}}, "1 lower and 1 upper angle sums for 7 vertices"},
+  };
+  for (const auto& [targets, words] : cases) {
+    const Status status = CheckTargets(t, targets);
+    EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+    EXPECT_THAT(status.message(), HasSubstr(words));
+  }
+}
+
+TEST(CheckTargets, RefusesAFullAngleAtTwoCorners) {
+  ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(1, 2 * kPi, 2 * kPi),
+                "boundary vertex 1 has 2 corners");
+  ExpectRefused(Pillow(), FlatTargets(Pillow()), "inner vertex 0 has 2 corners");
+}
+
+TEST(CheckTargets, RefusesAConeOfValenceTimesPiAndAnAngleSumOfZero) {
+  ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(0, 6 * kPi, 6 * kPi),
+                "inner vertex 0 has 6 corners, each less than pi, and must reach 6 pi");
+  EXPECT_TRUE(CheckTargets(Fan(6, 0.5).triangulation, FanTargets(0, 5.99 * kPi, 6 * kPi)).ok());
+  ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(4, 0, 0), "vertices 4 (0-based) must be 0");
+}
+
+TEST(CheckTargets, RefusesWhatGaussAndBonnetExclude) {
+  const Triangulation sphere = GeneratedSurface("sphere", 300).triangulation;
+  ExpectRefused(sphere, FlatTargets(sphere), "take away 4 pi in all; all vertices are to be flat");
+  ConeTargets cones = FlatTargets(sphere);
+  for (Index v = 0; v < 5; ++v) cones.lower[v] = cones.upper[v] = kPi;
+  ExpectRefused(sphere, cones, "add 1 pi in all; the vertices that are not flat are 0, 1, 2, 3, 4");
+  // With intervals: the upper ends alone must reach far enough.
+  cones.upper[2] = 2 * kPi;
+  EXPECT_TRUE(CheckTargets(sphere, cones).ok());
+  cones.upper[2] = 1.5 * kPi;
+  ExpectRefused(sphere, cones, "at most");
+}
+
+}  // namespace
+}  // namespace cirque

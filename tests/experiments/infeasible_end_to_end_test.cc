@@ -1,0 +1,118 @@
+// Meshes without coherent angles, through the program's files into the independent checker.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/angles/registry.h"
+#include "cirque/angles/targets.h"
+#include "cirque/core/atomic_file.h"
+#include "cirque/mesh/io.h"
+#include "cirque/pipeline/certificate.h"
+
+#include "experiments/circle_patterns/run.h"
+#include "experiments/verify_map/infeasibility_check.h"
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder that goes with the test.
+class InfeasibleEndToEnd : public ::testing::Test {
+ protected:
+  InfeasibleEndToEnd() { std::filesystem::create_directories(folder_); }
+  ~InfeasibleEndToEnd() override { std::filesystem::remove_all(folder_); }
+
+  std::string Path(const std::string& name) const { return folder_ / name; }
+
+  std::string ReadAll(const std::string& name) const {
+    std::ifstream file(Path(name));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  verify_map::ProofReport Check(const PolygonSoup& soup, const std::string& certificate) const {
+    const auto proof = verify_map::ReadProof(Path(certificate));
+    EXPECT_TRUE(proof.ok()) << proof.status().message();
+    const auto report = verify_map::CheckProof(*proof, soup);
+    EXPECT_TRUE(report.ok()) << report.status().message();
+    return *report;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ("infeasible_" +
+       std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+PolygonSoup SoupOf(const Surface& surface) {
+  PolygonSoup soup;
+  soup.position = surface.position;
+  soup.corner = surface.triangulation.vertex;
+  for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+    soup.first_corner.push_back(3 * f + 3);
+  }
+  return soup;
+}
+
+TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
+  const PolygonSoup soup = SoupOf(Kleetope(GeneratedSurface("bumpy_terrain", 60)));
+  ASSERT_TRUE(WriteMesh(Path("in.obj"), soup).ok());
+  for (const std::string& method : AngleFitMethods().Names()) {
+    SCOPED_TRACE(method);
+    CirclePatternsJob job = {Path("in.obj"), Path("out.obj"), "", {}};
+    job.options.angle_strategy = method;
+    std::ostringstream report;
+    EXPECT_EQ(RunCirclePatterns(job, report).code(), StatusCode::kInfeasible);
+    EXPECT_FALSE(std::filesystem::exists(Path("out.obj")));
+    const auto checked = Check(soup, "out.certificate.json");
+    EXPECT_TRUE(checked.accepted()) << checked.Verdict();
+    EXPECT_EQ(checked.epsilon_over_pi, 0);
+  }
+  const std::string csv = ReadAll("out.infeasible.csv");
+  EXPECT_THAT(csv, StartsWith("kind,id,multiplier\n"));
+  EXPECT_THAT(csv, HasSubstr("\nvertex,"));
+  const auto mask = ReadMesh(Path("out.infeasible.ply"));
+  ASSERT_TRUE(mask.ok()) << mask.status().message();
+  EXPECT_EQ(mask->corner, soup.corner);
+  EXPECT_EQ(mask->position, soup.position);
+  const std::string ply = ReadAll("out.infeasible.ply");
+  EXPECT_THAT(ply, HasSubstr("property uchar red"));
+}
+
+TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
+  const Surface fan = Fan(6, 0.5);
+  ConeTargets targets = FlatTargets(fan.triangulation);
+  targets.lower[1] = targets.upper[1] = 2 * kPi;
+  const AngleConstraints constraints(fan.triangulation, targets);
+  const CornerAngles reference = AnglesOf(fan);
+  std::vector<InfeasibilityProof> proofs(1);
+  EXPECT_EQ(CheckTargets(fan.triangulation, targets, &proofs[0]).code(), StatusCode::kInfeasible);
+  for (const std::string& method : AngleFitMethods().Names()) {
+    AngleFitResult result;
+    const Status status =
+        FitAngles({constraints, reference.value, 1e-3}, *AngleObjectives().Find("quadratic"),
+                  **MakeAngleFitMethod(method), {}, &result);
+    EXPECT_EQ(status.code(), StatusCode::kInfeasible) << method << ": " << status.message();
+    proofs.push_back(result.infeasibility);
+  }
+  for (const InfeasibilityProof& proof : proofs) {
+    Certificate certificate;
+    certificate.outcome = "infeasible";
+    certificate.infeasibility = proof;
+    ASSERT_TRUE(WriteFileAtomically(Path("certificate.json"), certificate.ToJson()).ok());
+    const auto checked = Check(SoupOf(fan), "certificate.json");
+    EXPECT_TRUE(checked.accepted()) << checked.Verdict();
+    EXPECT_EQ(checked.epsilon_over_pi, 0);
+    EXPECT_THAT(checked.prescribed, ::testing::ElementsAre(1));
+  }
+}
+
+}  // namespace
+}  // namespace cirque
