@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include <Eigen/Core>
+#include <ceres/iteration_callback.h>
+
+#include "cirque/solver/solve_run.h"
+
+namespace cirque {
+
+/// Watches a solve by Ceres on behalf of a SolveRun: at every accepted iterate it takes the
+/// energy's own gradient there, which is what the run's records, callback, limits and cancellation
+/// go by. Ceres' own tests compare values and parameters; they are to be set so tight that they end
+/// a solve only where doubles do.
+class CeresWatch final : public ceres::IterationCallback {
+ public:
+  using GradientFunction =
+      std::function<bool(const Eigen::VectorXd& point, Eigen::VectorXd* gradient)>;
+
+  /// `accepted` is where the strategy keeps Ceres' last accepted point. *x, at which the energy has
+  /// the gradient `gradient`, follows it.
+  CeresWatch(SolveRun* run, GradientFunction gradient_at, const Eigen::VectorXd* accepted,
+             const Eigen::VectorXd& gradient, Eigen::VectorXd* x);
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
+
+  /// Makes Ceres return after the present iteration, without ending the run.
+  void EndRound() { round_ends_ = true; }
+
+  /// Called before Ceres is (again) to start from *x.
+  void BeginRound();
+
+  /// Accepts a point that Ceres evaluated last but did not take, if the gradient is clearly smaller
+  /// there: values that agree in all digits make Ceres stop in front of the better point.
+  void Offer(const Eigen::VectorXd& point);
+
+  /// Called after Ceres returned: whether to start it again from *x. Otherwise the run has ended,
+  /// as kStalled with `message` if for no other reason.
+  bool AnotherRoundHelps(const std::string& message);
+
+ private:
+  bool Take(const ceres::IterationSummary& summary);
+  void KeepBest();
+  void Stall(const std::string& message);
+
+  SolveRun* run_;
+  const GradientFunction gradient_at_;
+  const Eigen::VectorXd* accepted_;
+  Eigen::VectorXd gradient_;  ///< at *x_
+  Eigen::VectorXd* x_;
+  bool round_ends_ = false;
+  int idle_ = 0;  ///< steps within rounding of the value that did not lower the gradient
+  double best_, round_start_ = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd best_x_;
+};
+
+}  // namespace cirque
