@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cirque/core/solve_summary.h"
+#include "cirque/solver/solver_strategy.h"
+
+#include "experiments/energy_strategies/problem.h"
+
+namespace cirque {
+
+/// One solve of the study.
+struct Trial {
+  std::string mesh;
+  int triangles = 0, parameters = 0;
+  std::string energy, method;
+  SolveSummary solve;
+  double difference = kUnset;  ///< max norm, of comparable solutions, from newton's
+};
+
+/// A strategy with options, under the name that tables give it.
+struct Method {
+  std::string name, strategy;
+  OptionMap options;
+};
+
+/// Every strategy on every energy; the first is newton.
+std::vector<Method> AllMethods();
+
+/// Newton, Ceres on exact residuals, Ceres on gradient residuals.
+std::vector<Method> LeastSquaresMethods();
+
+/// Told after every trial.
+using TrialCallback = std::function<void(const Trial&)>;
+
+/// Minimises the energy by each method, newton first, each limited to that many seconds, and
+/// compares with newton's minimiser.
+std::vector<Trial> CompareMethods(const StudyProblem& problem, const std::string& energy,
+                                  const std::vector<Method>& methods, double max_seconds,
+                                  const SolveControl& control, const TrialCallback& told);
+
+}  // namespace cirque
