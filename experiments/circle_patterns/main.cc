@@ -3,6 +3,8 @@
 #include <gflags/gflags.h>
 
 #include "experiments/circle_patterns/run.h"
+#include "experiments/common/interrupt.h"
+#include "experiments/common/solve_progress.h"
 
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
 DEFINE_string(oo, "", "output .obj with the texture coordinates of the map");
@@ -25,7 +27,11 @@ int main(int argc, char** argv) {
       FLAGS_oo,
       FLAGS_certificate,
       {FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
-  const cirque::Status status = cirque::RunCirclePatterns(job, std::cout);
+  cirque::CatchInterrupts();
+  cirque::SolveProgress progress(stderr);
+  const cirque::SolveControl control{progress.Callback(), cirque::InterruptFlag()};
+  const cirque::Status status = cirque::RunCirclePatterns(job, control, std::cout);
+  progress.Erase();
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
   return cirque::ExitStatus(status.code());
 }

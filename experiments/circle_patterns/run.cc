@@ -42,7 +42,8 @@ std::string CertificatePath(const CirclePatternsJob& job) {
   return std::filesystem::path(job.output).replace_extension(".certificate.json").string();
 }
 
-Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
+Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
+                         std::ostream& report) {
   const Timer timer;
   const StatusOr<PolygonSoup> soup = ReadMesh(job.input);
   if (!soup.ok()) return soup.status();
@@ -54,10 +55,11 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
   Parameterization map;
-  Status status = Parameterize(*surface, job.options, {}, &map);
+  Status status = Parameterize(*surface, job.options, control, &map);
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
   if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
+  if (status.code() == StatusCode::kCancelled) return status;
   if (status.ok()) {
     report << Summary(map.certificate);
     const Timer write_timer;

@@ -20,7 +20,8 @@ std::string CertificatePath(const CirclePatternsJob& job);
 
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to
-/// be parameterized.
-Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report);
+/// be parameterized; neither when `control` cancels.
+Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
+                         std::ostream& report);
 
 }  // namespace cirque

@@ -33,6 +33,7 @@ void SolveProgress::Erase() {
   if (!is_drawn_) return;
   fmt::print(out_, "{}", kEraseLine);
   std::fflush(out_);
+  is_drawn_ = false;
 }
 
 std::string ProgressText(const IterationRecord& record) {

@@ -21,12 +21,11 @@ class SolveProgress {
   /// Watches a solve by this; the line is erased when this goes. This must outlive the callback.
   IterationCallback Callback();
 
-  /// Draws the line.
+  /// Draws the line, erases it.
   void Draw(const IterationRecord& record);
-
- private:
   void Erase();
 
+ private:
   std::FILE* out_;  ///< null: silent
   bool is_drawn_ = false;
   Timer timer_;

@@ -7,7 +7,6 @@ namespace cirque {
 namespace {
 
 constexpr double kRounding = 1e-14;  ///< relative changes of the value below this are noise
-constexpr int kMaxIdle = 5;
 constexpr double kClearlySmaller = 0.5;
 
 double MaxNorm(const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); }
@@ -15,14 +14,16 @@ double MaxNorm(const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); }
 }  // namespace
 
 CeresWatch::CeresWatch(SolveRun* run, GradientFunction gradient_at, const Eigen::VectorXd* accepted,
-                       const Eigen::VectorXd& gradient, Eigen::VectorXd* x)
+                       const Eigen::VectorXd& gradient, int max_idle, Eigen::VectorXd* x)
     : run_(run),
       gradient_at_(std::move(gradient_at)),
       accepted_(accepted),
       gradient_(gradient),
       x_(x),
+      max_idle_(max_idle),
       best_(MaxNorm(gradient)),
-      best_x_(*x) {}
+      best_x_(*x),
+      best_gradient_(gradient) {}
 
 ceres::CallbackReturnType CeresWatch::operator()(const ceres::IterationSummary& summary) {
   const bool is_new = summary.iteration > 0 && summary.step_is_successful;
@@ -35,8 +36,8 @@ ceres::CallbackReturnType CeresWatch::operator()(const ceres::IterationSummary& 
 bool CeresWatch::Take(const ceres::IterationSummary& summary) {
   Eigen::VectorXd gradient;
   if (!gradient_at_(*accepted_, &gradient)) {
-    Stall("Ceres stepped out of the energy's domain");
-    return false;
+    round_ends_ = true;
+    return true;
   }
   gradient_ = std::move(gradient);
   *x_ = *accepted_;
@@ -45,9 +46,8 @@ bool CeresWatch::Take(const ceres::IterationSummary& summary) {
   if (MaxNorm(gradient_) < best_) {
     KeepBest();
   } else if (std::abs(summary.cost_change) <= kRounding * std::abs(summary.cost) &&
-             ++idle_ >= kMaxIdle) {
-    Stall("the value changes by rounding only and the gradient no longer falls");
-    return false;
+             ++idle_ >= max_idle_) {
+    round_ends_ = true;
   }
   return true;
 }
@@ -55,17 +55,13 @@ bool CeresWatch::Take(const ceres::IterationSummary& summary) {
 void CeresWatch::KeepBest() {
   best_ = MaxNorm(gradient_);
   best_x_ = *x_;
+  best_gradient_ = gradient_;
   idle_ = 0;
 }
 
-void CeresWatch::Stall(const std::string& message) {
-  *x_ = best_x_;
-  run_->summary().final_gradient_max = best_;
-  run_->End(Termination::kStalled, message);
-}
-
 void CeresWatch::BeginRound() {
-  round_ends_ = false;
+  round_ends_ = is_round_wanted_ = false;
+  idle_ = 0;
   round_start_ = best_;
 }
 
@@ -83,8 +79,12 @@ void CeresWatch::Offer(const Eigen::VectorXd& point) {
 
 bool CeresWatch::AnotherRoundHelps(const std::string& message) {
   if (run_->summary().termination != Termination::kNotRun) return false;
-  if (round_ends_ || best_ < kClearlySmaller * round_start_) return true;
-  Stall(message);
+  if (is_round_wanted_) return true;
+  *x_ = best_x_;
+  gradient_ = best_gradient_;
+  if (best_ < kClearlySmaller * round_start_) return true;
+  run_->summary().final_gradient_max = best_;
+  run_->End(Termination::kStalled, "no step improves x in floating point; Ceres: " + message);
   return false;
 }
 

@@ -21,14 +21,15 @@ class CeresWatch final : public ceres::IterationCallback {
       std::function<bool(const Eigen::VectorXd& point, Eigen::VectorXd* gradient)>;
 
   /// `accepted` is where the strategy keeps Ceres' last accepted point. *x, at which the energy has
-  /// the gradient `gradient`, follows it.
+  /// the gradient `gradient`, follows it. A round of `max_idle` steps that change the value by
+  /// rounding only and do not lower the gradient is ended.
   CeresWatch(SolveRun* run, GradientFunction gradient_at, const Eigen::VectorXd* accepted,
-             const Eigen::VectorXd& gradient, Eigen::VectorXd* x);
+             const Eigen::VectorXd& gradient, int max_idle, Eigen::VectorXd* x);
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
 
-  /// Makes Ceres return after the present iteration, without ending the run.
-  void EndRound() { round_ends_ = true; }
+  /// Makes Ceres return after the present iteration; another round follows.
+  void EndRound() { round_ends_ = is_round_wanted_ = true; }
 
   /// Called before Ceres is (again) to start from *x.
   void BeginRound();
@@ -44,17 +45,17 @@ class CeresWatch final : public ceres::IterationCallback {
  private:
   bool Take(const ceres::IterationSummary& summary);
   void KeepBest();
-  void Stall(const std::string& message);
 
   SolveRun* run_;
   const GradientFunction gradient_at_;
   const Eigen::VectorXd* accepted_;
   Eigen::VectorXd gradient_;  ///< at *x_
   Eigen::VectorXd* x_;
-  bool round_ends_ = false;
-  int idle_ = 0;  ///< steps within rounding of the value that did not lower the gradient
+  bool round_ends_ = false, is_round_wanted_ = false;
+  const int max_idle_;
+  int idle_ = 0;
   double best_, round_start_ = std::numeric_limits<double>::infinity();
-  Eigen::VectorXd best_x_;
+  Eigen::VectorXd best_x_, best_gradient_;
 };
 
 }  // namespace cirque

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMostBfgsParameters = 2000;
 constexpr double kMostRank = 1000;
+constexpr int kMaxIdle = 100;  ///< gradients do not fall at every step of these methods
 
 const Registry<ceres::LineSearchDirectionType>& Directions() {
   static const Registry<ceres::LineSearchDirectionType> kTable(
@@ -29,13 +30,23 @@ class CountedEnergy final : public ceres::FirstOrderFunction {
  public:
   explicit CountedEnergy(SolveRun* run) : run_(run) {}
 
+  /// From here on values are differences from that at `base`, (g(base) + g(x)) / 2 . (x - base):
+  /// near the minimum the trapezoidal rule is better than the difference of two large values.
+  void MeasureFrom(const Eigen::VectorXd& base) {
+    base_ = base;
+    run_->Gradient(base, &base_gradient_);
+  }
+
   int NumParameters() const override { return run_->energy().NumParameters(); }
 
   bool Evaluate(const double* x, double* value, double* gradient) const override {
-    if (!gradient) return run_->Value(x, value, nullptr);
+    const bool is_difference = base_.size() > 0;
+    if (!gradient && !is_difference) return run_->Value(x, value, nullptr);
     point_ = Eigen::Map<const Eigen::VectorXd>(x, NumParameters());
-    is_defined_ = run_->Value(x, value, &gradient_);
-    Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = gradient_;
+    is_defined_ =
+        is_difference ? run_->Gradient(point_, &gradient_) : run_->Value(x, value, &gradient_);
+    if (is_difference) *value = 0.5 * (base_gradient_ + gradient_).dot(point_ - base_);
+    if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = gradient_;
     return is_defined_;
   }
 
@@ -47,6 +58,7 @@ class CountedEnergy final : public ceres::FirstOrderFunction {
 
  private:
   SolveRun* run_;
+  Eigen::VectorXd base_, base_gradient_;  ///< empty: values are the energy's
   mutable Eigen::VectorXd point_, gradient_;
   mutable bool is_defined_ = false;
 };
@@ -57,6 +69,7 @@ ceres::GradientProblemSolver::Options SolverOptions(const CeresLineSearchOptions
   result.line_search_type = options.line_search == "armijo" ? ceres::ARMIJO : ceres::WOLFE;
   result.nonlinear_conjugate_gradient_type = ceres::POLAK_RIBIERE;
   result.max_lbfgs_rank = options.max_lbfgs_rank;
+  result.min_line_search_step_size = std::numeric_limits<double>::min();
   result.max_num_iterations = std::numeric_limits<int>::max() - 1;
   result.max_solver_time_in_seconds = options.max_seconds;
   result.function_tolerance = result.gradient_tolerance = result.parameter_tolerance = 0;
@@ -73,15 +86,17 @@ void SolveInRounds(const CeresLineSearchOptions& options, const Eigen::VectorXd&
   CeresWatch watch(
       run,
       [energy](const Eigen::VectorXd& p, Eigen::VectorXd* g) { return energy->Gradient(p, g); },
-      &state, gradient, x);
+      &state, gradient, kMaxIdle, x);
   ceres::GradientProblemSolver::Options solver_options = SolverOptions(options);
   solver_options.callbacks.push_back(&watch);
   ceres::GradientProblemSolver::Summary summary;
-  do {
+  while (true) {
     state = *x;
     watch.BeginRound();
     ceres::Solve(solver_options, problem, state.data(), &summary);
-  } while (watch.AnotherRoundHelps(summary.message));
+    if (!watch.AnotherRoundHelps(summary.message)) return;
+    energy->MeasureFrom(*x);
+  }
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ StatusOr<std::shared_ptr<const SolverStrategy>> MakeCeresLineSearch(const Option
 
 /// Ceres Solver's line search methods on value and gradient: no Hessian, no factorization, but many
 /// iterations on a large mesh, whose Hessian is a Laplacian. They compare values, of which the last
-/// digits are lost near the minimum: where no step lowers the value any more, kStalled, usually at
-/// a gradient around 1e-8. kUnsupported for bfgs, which keeps a dense matrix, above 2000
+/// digits are lost near the minimum; where no step lowers the value any more, the method starts
+/// again on value differences integrated from gradients, as often as that halves the gradient. What
+/// remains is reported as kStalled. kUnsupported for bfgs, which keeps a dense matrix, above 2000
 /// parameters.
 class CeresLineSearchStrategy final : public SolverStrategy {
  public:

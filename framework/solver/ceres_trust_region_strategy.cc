@@ -12,6 +12,7 @@
 namespace cirque {
 namespace {
 
+constexpr int kMaxIdle = 3;
 constexpr double kMostThreads = 256, kLeastRadius = 1e-6, kMostRadius = 1e15;
 
 bool OffersResiduals(const Energy& energy) { return energy.HasExactResiduals(); }
@@ -52,7 +53,7 @@ class TrustRegionSolve final : public ceres::EvaluationCallback {
         watch_(
             run,
             [run](const Eigen::VectorXd& p, Eigen::VectorXd* g) { return run->Gradient(p, g); },
-            &accepted_, gradient, x) {
+            &accepted_, gradient, kMaxIdle, x) {
     if (options.residuals == "gradient") {
       gradient_form_ = std::make_unique<GradientResiduals>(run->energy(), run);
     }
