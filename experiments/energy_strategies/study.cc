@@ -1,5 +1,7 @@
 #include "experiments/energy_strategies/study.h"
 
+#include <ctime>
+
 #include <fmt/format.h>
 #include <glog/logging.h>
 
@@ -44,15 +46,16 @@ std::vector<Trial> CompareMethods(const StudyProblem& problem, const std::string
   std::vector<Trial> trials;
   for (const Method& method : methods) {
     if (control.cancelled && control.cancelled->load()) break;
-    Trial trial{problem.mesh,
-                problem.input.triangulation.num_faces(),
-                energy->NumParameters(),
-                energy_name,
-                method.name,
-                {},
-                kUnset};
+    Trial trial;
+    trial.mesh = problem.mesh;
+    trial.triangles = problem.input.triangulation.num_faces();
+    trial.parameters = energy->NumParameters();
+    trial.energy = energy_name;
+    trial.method = method.name;
     Eigen::VectorXd x = start;
+    const std::clock_t before = std::clock();
     trial.solve = Solve(*energy, method, max_seconds, control, &x);
+    trial.cpu_seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     const Eigen::VectorXd solution = ComparableSolution(*energy, x);
     if (trials.empty()) reference = solution;
     const bool ran = trial.solve.termination != Termination::kUnsupported;

@@ -17,6 +17,7 @@ struct Trial {
   int triangles = 0, parameters = 0;
   std::string energy, method;
   SolveSummary solve;
+  double cpu_seconds = 0;      ///< of all threads: unlike wall time, the same on a busy machine
   double difference = kUnset;  ///< max norm, of comparable solutions, from newton's
 };
 

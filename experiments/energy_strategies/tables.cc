@@ -21,19 +21,21 @@ std::string Remark(const SolveSummary& solve) {
 std::string Row(const std::string& leading, const Trial& trial) {
   const SolveSummary& s = trial.solve;
   if (s.termination == Termination::kUnsupported) {
-    return fmt::format("| {} | {} | | | | | | | {} |\n", leading, trial.method, Remark(s));
+    return fmt::format("| {} | {} | | | | | | | | {} |\n", leading, trial.method, Remark(s));
   }
-  return fmt::format("| {} | {} | {} | {} | {} | {:.3f} | {} | {} | {} |\n", leading, trial.method,
-                     s.num_iterations(), s.factorizations, s.cg_iterations, s.total_seconds,
-                     Scientific(s.final_gradient_max), Scientific(trial.difference), Remark(s));
+  return fmt::format("| {} | {} | {} | {} | {} | {:.3f} | {:.3f} | {} | {} | {} |\n", leading,
+                     trial.method, s.num_iterations(), s.factorizations, s.cg_iterations,
+                     s.total_seconds, trial.cpu_seconds, Scientific(s.final_gradient_max),
+                     Scientific(trial.difference), Remark(s));
 }
 
 std::string Header(const std::string& leading) {
   return fmt::format(
-      "| {} | method | iterations | factorizations | CG | seconds | gradient | difference | why "
+      "| {} | method | iterations | factorizations | CG | seconds | CPU s | gradient | difference "
+      "| why "
       "not "
       "converged |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|---|\n",
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|---|\n",
       leading);
 }
 
@@ -60,6 +62,7 @@ nlohmann::json Record(const Trial& trial) {
           {"cg_iterations", s.cg_iterations},
           {"seconds",
            {{"total", s.total_seconds},
+            {"cpu", trial.cpu_seconds},
             {"evaluation", s.evaluation_seconds},
             {"factorization", s.factorization_seconds},
             {"solve", s.solve_seconds}}},

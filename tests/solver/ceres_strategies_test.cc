@@ -86,7 +86,7 @@ TEST_F(CeresStrategiesTest, EveryLineSearchDirectionDescends) {
   for (OptionMap options : methods) {
     options["max_iterations"] = "200";
     const SolveSummary summary = Minimize("ceres_line_search", options, &x);
-    EXPECT_LT(summary.final_value - least, 0.1 * (summary.initial_value - least))
+    EXPECT_LT(summary.final_value - least, 0.25 * (summary.initial_value - least))
         << summary.BriefReport();
     EXPECT_GT(summary.final_value, least - 1e-11);
     EXPECT_THAT(summary.strategy, HasSubstr(options["direction"]));
