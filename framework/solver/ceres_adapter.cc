@@ -13,11 +13,11 @@ double MaxNorm(const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); }
 
 }  // namespace
 
-CeresWatch::CeresWatch(SolveRun* run, GradientFunction gradient_at, const Eigen::VectorXd* accepted,
+CeresWatch::CeresWatch(SolveRun* run, GradientFunction gradient_at, PointFunction accepted,
                        const Eigen::VectorXd& gradient, int max_idle, Eigen::VectorXd* x)
     : run_(run),
       gradient_at_(std::move(gradient_at)),
-      accepted_(accepted),
+      accepted_(std::move(accepted)),
       gradient_(gradient),
       x_(x),
       max_idle_(max_idle),
@@ -34,13 +34,13 @@ ceres::CallbackReturnType CeresWatch::operator()(const ceres::IterationSummary& 
 }
 
 bool CeresWatch::Take(const ceres::IterationSummary& summary) {
-  Eigen::VectorXd gradient;
-  if (!gradient_at_(*accepted_, &gradient)) {
+  Eigen::VectorXd point = accepted_(), gradient;
+  if (!gradient_at_(point, &gradient)) {
     round_ends_ = true;
     return true;
   }
   gradient_ = std::move(gradient);
-  *x_ = *accepted_;
+  *x_ = std::move(point);
   const double step_length = summary.step_size > 0 ? summary.step_size : 1;
   if (!run_->Accept(*x_, gradient_, step_length, summary.cost)) return false;
   if (MaxNorm(gradient_) < best_) {

@@ -17,13 +17,14 @@ namespace cirque {
 /// a solve only where doubles do.
 class CeresWatch final : public ceres::IterationCallback {
  public:
+  using PointFunction = std::function<Eigen::VectorXd()>;
   using GradientFunction =
       std::function<bool(const Eigen::VectorXd& point, Eigen::VectorXd* gradient)>;
 
-  /// `accepted` is where the strategy keeps Ceres' last accepted point. *x, at which the energy has
+  /// `accepted` gives Ceres' last accepted point. *x, at which the energy has
   /// the gradient `gradient`, follows it. A round of `max_idle` steps that change the value by
   /// rounding only and do not lower the gradient is ended.
-  CeresWatch(SolveRun* run, GradientFunction gradient_at, const Eigen::VectorXd* accepted,
+  CeresWatch(SolveRun* run, GradientFunction gradient_at, PointFunction accepted,
              const Eigen::VectorXd& gradient, int max_idle, Eigen::VectorXd* x);
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
@@ -48,7 +49,7 @@ class CeresWatch final : public ceres::IterationCallback {
 
   SolveRun* run_;
   const GradientFunction gradient_at_;
-  const Eigen::VectorXd* accepted_;
+  const PointFunction accepted_;
   Eigen::VectorXd gradient_;  ///< at *x_
   Eigen::VectorXd* x_;
   bool round_ends_ = false, is_round_wanted_ = false;

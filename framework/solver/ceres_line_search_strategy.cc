@@ -1,6 +1,7 @@
 #include "cirque/solver/ceres_line_search_strategy.h"
 
 #include <limits>
+#include <utility>
 
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr int kMostBfgsParameters = 2000;
 constexpr double kMostRank = 1000;
-constexpr int kMaxIdle = 100;  ///< gradients do not fall at every step of these methods
+constexpr double kLeastScaled = 1e-3;  ///< of the Hessian's mean diagonal entry
+constexpr int kMaxIdle = 100;          ///< gradients do not fall at every step of these methods
 
 const Registry<ceres::LineSearchDirectionType>& Directions() {
   static const Registry<ceres::LineSearchDirectionType> kTable(
@@ -28,7 +30,11 @@ const Registry<ceres::LineSearchDirectionType>& Directions() {
 /// remembers the last gradient, which is often that of the iterate accepted next.
 class CountedEnergy final : public ceres::FirstOrderFunction {
  public:
-  explicit CountedEnergy(SolveRun* run) : run_(run) {}
+  /// The parameters are x divided by `scale`.
+  CountedEnergy(SolveRun* run, Eigen::VectorXd scale) : run_(run), scale_(std::move(scale)) {}
+
+  Eigen::VectorXd FromX(const Eigen::VectorXd& x) const { return x.cwiseQuotient(scale_); }
+  Eigen::VectorXd ToX(const Eigen::VectorXd& y) const { return y.cwiseProduct(scale_); }
 
   /// From here on values are differences from that at `base`, (g(base) + g(x)) / 2 . (x - base):
   /// near the minimum the trapezoidal rule is better than the difference of two large values.
@@ -39,29 +45,41 @@ class CountedEnergy final : public ceres::FirstOrderFunction {
 
   int NumParameters() const override { return run_->energy().NumParameters(); }
 
-  bool Evaluate(const double* x, double* value, double* gradient) const override {
+  bool Evaluate(const double* y, double* value, double* gradient) const override {
     const bool is_difference = base_.size() > 0;
-    if (!gradient && !is_difference) return run_->Value(x, value, nullptr);
-    point_ = Eigen::Map<const Eigen::VectorXd>(x, NumParameters());
-    is_defined_ =
-        is_difference ? run_->Gradient(point_, &gradient_) : run_->Value(x, value, &gradient_);
+    point_ = ToX(Eigen::Map<const Eigen::VectorXd>(y, NumParameters()));
+    is_defined_ = is_difference
+                      ? run_->Gradient(point_, &gradient_)
+                      : run_->Value(point_.data(), value, gradient ? &gradient_ : nullptr);
+    has_gradient_ = is_difference || gradient;
     if (is_difference) *value = 0.5 * (base_gradient_ + gradient_).dot(point_ - base_);
-    if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = gradient_;
+    if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, NumParameters()) = ToX(gradient_);
     return is_defined_;
   }
 
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) const {
-    if (point_ != x) return run_->Gradient(x, gradient);
+    if (!has_gradient_ || point_ != x) return run_->Gradient(x, gradient);
     *gradient = gradient_;
     return is_defined_;
   }
 
  private:
   SolveRun* run_;
+  const Eigen::VectorXd scale_;
   Eigen::VectorXd base_, base_gradient_;  ///< empty: values are the energy's
   mutable Eigen::VectorXd point_, gradient_;
-  mutable bool is_defined_ = false;
+  mutable bool is_defined_ = false, has_gradient_ = false;
 };
+
+/// One over the root of the Hessian's diagonal at x, bounded where that is small; or ones.
+Eigen::VectorXd Scale(const std::string& scaling, const Eigen::VectorXd& x, SolveRun* run) {
+  SparseMatrix lower;
+  if (scaling == "none" || !run->Hessian(x, &lower)) return Eigen::VectorXd::Ones(x.size());
+  const Eigen::VectorXd diagonal = lower.diagonal();
+  const double least = kLeastScaled * diagonal.mean();
+  if (!(least > 0)) return Eigen::VectorXd::Ones(x.size());
+  return diagonal.cwiseMax(least).cwiseSqrt().cwiseInverse();
+}
 
 ceres::GradientProblemSolver::Options SolverOptions(const CeresLineSearchOptions& options) {
   ceres::GradientProblemSolver::Options result;
@@ -80,18 +98,18 @@ ceres::GradientProblemSolver::Options SolverOptions(const CeresLineSearchOptions
 
 void SolveInRounds(const CeresLineSearchOptions& options, const Eigen::VectorXd& gradient,
                    SolveRun* run, Eigen::VectorXd* x) {
-  auto* energy = new CountedEnergy(run);
+  auto* energy = new CountedEnergy(run, Scale(options.scaling, *x, run));
   const ceres::GradientProblem problem(energy);
-  Eigen::VectorXd state = *x;
+  Eigen::VectorXd state;
   CeresWatch watch(
       run,
       [energy](const Eigen::VectorXd& p, Eigen::VectorXd* g) { return energy->Gradient(p, g); },
-      &state, gradient, kMaxIdle, x);
+      [&] { return energy->ToX(state); }, gradient, kMaxIdle, x);
   ceres::GradientProblemSolver::Options solver_options = SolverOptions(options);
   solver_options.callbacks.push_back(&watch);
   ceres::GradientProblemSolver::Summary summary;
   while (true) {
-    state = *x;
+    state = energy->FromX(*x);
     watch.BeginRound();
     ceres::Solve(solver_options, problem, state.data(), &summary);
     if (!watch.AnotherRoundHelps(summary.message)) return;
@@ -108,6 +126,7 @@ const OptionTable<CeresLineSearchOptions>& CeresLineSearchOptionTable() {
     const std::vector<OptionTable<O>::Field> own = {
         {"direction", &O::direction, 0, 0, Directions().Names(), "how steps are chosen"},
         {"line_search", &O::line_search, 0, 0, {"wolfe", "armijo"}, "which steps are accepted"},
+        {"scaling", &O::scaling, 0, 0, {"diagonal", "none"}, "of the parameters"},
         {"max_lbfgs_rank", &O::max_lbfgs_rank, 1, kMostRank, {}, "steps that lbfgs remembers"}};
     fields.insert(fields.end(), own.begin(), own.end());
     return fields;

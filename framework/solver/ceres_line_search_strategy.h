@@ -11,6 +11,7 @@ struct CeresLineSearchOptions : SolverLimits {
 
   std::string direction = "lbfgs";    ///< or nonlinear_conjugate_gradient, bfgs, steepest_descent
   std::string line_search = "wolfe";  ///< or armijo, which lbfgs and bfgs do not take
+  std::string scaling = "diagonal";   ///< parameters by the start's Hessian; or none
   int max_lbfgs_rank = 50;            ///< pairs of steps and gradients that lbfgs remembers
 };
 
@@ -19,12 +20,12 @@ const OptionTable<CeresLineSearchOptions>& CeresLineSearchOptionTable();
 /// As FactoryOf, and refuses a line search that the direction does not take.
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeCeresLineSearch(const OptionMap& options);
 
-/// Ceres Solver's line search methods on value and gradient: no Hessian, no factorization, but many
-/// iterations on a large mesh, whose Hessian is a Laplacian. They compare values, of which the last
-/// digits are lost near the minimum; where no step lowers the value any more, the method starts
-/// again on value differences integrated from gradients, as often as that halves the gradient. What
-/// remains is reported as kStalled. kUnsupported for bfgs, which keeps a dense matrix, above 2000
-/// parameters.
+/// Ceres Solver's line search methods on value and gradient: no factorization, and a Hessian only
+/// once, to scale the parameters by its diagonal; but many iterations on a large mesh, whose
+/// Hessian is a Laplacian. They compare values, of which the last digits are lost near the minimum;
+/// where no step lowers the value any more, the method starts again on value differences integrated
+/// from gradients, as often as that halves the gradient. What remains is reported as kStalled.
+/// kUnsupported for bfgs, which keeps a dense matrix, above 2000 parameters.
 class CeresLineSearchStrategy final : public SolverStrategy {
  public:
   explicit CeresLineSearchStrategy(const CeresLineSearchOptions& options) : options_(options) {}

@@ -53,7 +53,7 @@ class TrustRegionSolve final : public ceres::EvaluationCallback {
         watch_(
             run,
             [run](const Eigen::VectorXd& p, Eigen::VectorXd* g) { return run->Gradient(p, g); },
-            &accepted_, gradient, kMaxIdle, x) {
+            [this] { return accepted_; }, gradient, kMaxIdle, x) {
     if (options.residuals == "gradient") {
       gradient_form_ = std::make_unique<GradientResiduals>(run->energy(), run);
     }

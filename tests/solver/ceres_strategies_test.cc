@@ -114,6 +114,16 @@ TEST(CeresLineSearch, SolvesAQuadraticToRounding) {
   }
 }
 
+TEST_F(CeresStrategiesTest, DiagonalScalingHelpsWhereWeightsVary) {
+  Eigen::VectorXd x;
+  const double least = Minimize("newton", {}, &x).final_value;
+  const auto gap = [&](const std::string& scaling) {
+    const OptionMap options = {{"scaling", scaling}, {"max_iterations", "60"}};
+    return Minimize("ceres_line_search", options, &x).final_value - least;
+  };
+  EXPECT_LT(gap("diagonal"), 0.5 * gap("none"));
+}
+
 TEST(CeresLineSearch, OptionsAreBounded) {
   const auto message = [](const OptionMap& options) {
     return MakeSolverStrategy("ceres_line_search", options).status().message();
