@@ -12,8 +12,9 @@
 #include "experiments/common/interrupt.h"
 #include "experiments/energy_strategies/tables.h"
 
-DEFINE_double(max_seconds, 3, "limit of each solve by each strategy");
-DEFINE_double(max_least_squares_seconds, 60, "limit of each solve of the second table");
+DEFINE_double(max_seconds, cirque::TimeLimits().other, "limit of each solve");
+DEFINE_double(max_first_order_seconds, cirque::TimeLimits().first_order,
+              "limit of each solve by L-BFGS or nonlinear CG");
 DEFINE_string(output, "", "file for the tables, Markdown; empty: standard output");
 DEFINE_string(json, "", "file for the same and more, JSON");
 DECLARE_bool(help);
@@ -63,26 +64,25 @@ void Append(std::vector<Trial> more, std::vector<Trial>* trials) {
 
 void Study(const StudyProblem& problem, Results* results) {
   const SolveControl control{{}, InterruptFlag()};
+  const TimeLimits limits{FLAGS_max_first_order_seconds, FLAGS_max_seconds};
   for (const std::string& energy : Energies().Names()) {
-    Append(CompareMethods(problem, energy, AllMethods(), FLAGS_max_seconds, control, Tell),
+    Append(CompareMethods(problem, energy, AllMethods(limits), control, Tell),
            &results->strategies);
   }
-  Append(CompareMethods(problem, "circle_pattern", LeastSquaresMethods(),
-                        FLAGS_max_least_squares_seconds, control, Tell),
+  Append(CompareMethods(problem, "circle_pattern", LeastSquaresMethods(limits), control, Tell),
          &results->least_squares);
 }
 
 std::string Document(const Results& results, const std::string& command) {
   return fmt::format(
       "# Strategies on energies\n\nMade by `{}`.\n\n"
-      "Every solve starts at zero (the coherent-angle barrier at coherent angles) and is limited "
-      "to "
-      "{:g} s. *gradient*: largest entry at the end, of the energy itself; *difference*: largest, "
-      "from newton's minimiser, in rad or log radii, gauge removed, multipliers compared by the "
-      "angles they stand for.\n"
-      "{}\n## Least-squares forms of the circle-pattern energy\n\nLimited to {:g} s.\n\n{}",
-      command, FLAGS_max_seconds, StrategyTables(results.strategies),
-      FLAGS_max_least_squares_seconds, LeastSquaresTable(results.least_squares));
+      "Every solve starts at zero, or at coherent angles where zero is outside the domain; L-BFGS "
+      "and nonlinear CG are limited to {:g} s, others to {:g} s. *gradient*: largest entry at the "
+      "end, of the energy itself; *difference*: largest, from newton's minimiser, in rad or log "
+      "radii, gauge removed, multipliers compared by the angles they stand for.\n"
+      "{}\n## Least-squares forms of the circle-pattern energy\n\n{}",
+      command, FLAGS_max_first_order_seconds, FLAGS_max_seconds, StrategyTables(results.strategies),
+      LeastSquaresTable(results.least_squares));
 }
 
 Status Write(const Results& results, const std::string& command) {

@@ -27,19 +27,24 @@ struct Method {
   OptionMap options;
 };
 
-/// Every strategy on every energy; the first is newton.
-std::vector<Method> AllMethods();
+/// How long a solve may take [s].
+struct TimeLimits {
+  double first_order = 3;  ///< without Hessians, which takes thousands of iterations
+  double other = 60;
+};
+
+/// Every strategy, newton first.
+std::vector<Method> AllMethods(const TimeLimits& limits);
 
 /// Newton, Ceres on exact residuals, Ceres on gradient residuals.
-std::vector<Method> LeastSquaresMethods();
+std::vector<Method> LeastSquaresMethods(const TimeLimits& limits);
 
 /// Told after every trial.
 using TrialCallback = std::function<void(const Trial&)>;
 
-/// Minimises the energy by each method, newton first, each limited to that many seconds, and
-/// compares with newton's minimiser.
+/// Minimises the energy by each method, newton first, and compares with newton's minimiser.
 std::vector<Trial> CompareMethods(const StudyProblem& problem, const std::string& energy,
-                                  const std::vector<Method>& methods, double max_seconds,
-                                  const SolveControl& control, const TrialCallback& told);
+                                  const std::vector<Method>& methods, const SolveControl& control,
+                                  const TrialCallback& told);
 
 }  // namespace cirque
