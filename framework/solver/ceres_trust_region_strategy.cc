@@ -15,8 +15,6 @@ namespace {
 constexpr int kMaxIdle = 3;
 constexpr double kMostThreads = 256, kLeastRadius = 1e-6, kMostRadius = 1e15;
 
-bool OffersResiduals(const Energy& energy) { return energy.HasExactResiduals(); }
-
 ceres::SparseLinearAlgebraLibraryType SparseLibrary() {
   return ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE)
              ? ceres::SUITE_SPARSE
@@ -118,6 +116,8 @@ class TrustRegionSolve final : public ceres::EvaluationCallback {
 };
 
 }  // namespace
+
+bool OffersResiduals(const Energy& energy) { return energy.HasExactResiduals(); }
 
 const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable() {
   using O = CeresTrustRegionOptions;

@@ -15,6 +15,9 @@ struct CeresTrustRegionOptions : SolverLimits {
 
 const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable();
 
+/// Whether the energy has residual blocks of its own that a trust region can work on.
+bool OffersResiduals(const Energy& energy);
+
 /// Ceres Solver's nonlinear least squares on the energy's residual blocks: Levenberg and Marquardt,
 /// or dogleg, each step by sparse Cholesky on the normal equations. With exact residuals J'J has
 /// the pattern and conditioning of the Hessian (DESIGN 2.2); kUnsupported for an energy without
