@@ -17,8 +17,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double kSameMinimiser = 1e-8;
-// Methods that compare values lose half the digits.
-constexpr double kLineSearchGradient = 1e-6;
 
 const StudyProblem& Problem() {
   static const std::shared_ptr<const StudyProblem> kProblem =
@@ -26,7 +24,7 @@ const StudyProblem& Problem() {
   return *kProblem;
 }
 
-bool ComparesValues(const std::string& strategy) { return strategy == "ceres_line_search"; }
+bool Factors(const std::string& strategy) { return strategy != "ceres_line_search"; }
 
 /// Whether the strategy needs residual blocks, which not every energy has.
 bool NeedsResiduals(const std::string& strategy) { return strategy == "ceres_trust_region"; }
@@ -80,12 +78,8 @@ TEST_P(EveryStrategyOnEveryEnergy, FindsNewtonsMinimiser) {
   Eigen::VectorXd gradient(energy->NumParameters());
   energy->Gradient(found.x.data(), gradient.data());
   EXPECT_NEAR(found.summary.final_gradient_max, gradient.lpNorm<Eigen::Infinity>(), 1e-13);
-  if (ComparesValues(name)) {
-    EXPECT_LE(found.summary.final_gradient_max, kLineSearchGradient) << found.summary.FullReport();
-    return;
-  }
   EXPECT_TRUE(found.summary.Converged()) << found.summary.FullReport();
-  EXPECT_GT(found.summary.factorizations, 0);
+  EXPECT_EQ(found.summary.factorizations > 0, Factors(name));
   EXPECT_NEAR(found.summary.final_value, newton.summary.final_value,
               1e-12 * (1 + std::abs(newton.summary.final_value)));
   const Eigen::VectorXd difference =
