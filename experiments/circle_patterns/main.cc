@@ -11,6 +11,8 @@
 #include "experiments/circle_patterns/run.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/interrupt.h"
+#include "experiments/common/solve_progress.h"
 
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
 DEFINE_string(oo, "", "output .obj, with the map as texture coordinates");
@@ -65,7 +67,12 @@ int Main(int argc, char** argv) {
       FLAGS_oo,
       FLAGS_certificate,
       {FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
-  return Conclude(RunCirclePatterns(job, std::cout));
+  CatchInterrupts();
+  SolveProgress progress(stderr);
+  const SolveControl control{progress.Callback(), InterruptFlag()};
+  const Status status = RunCirclePatterns(job, control, std::cout);
+  progress.Erase();
+  return Conclude(status);
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::string CertificatePath(const CirclePatternsJob& job) {
   return std::filesystem::path(job.output).replace_extension(".certificate.json").string();
 }
 
-Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
+Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
+                         std::ostream& report) {
   const Timer timer;
   if (std::filesystem::path(job.output).extension() != ".obj") {
     return Status::InvalidInput(job.output + ": maps are written as .obj; name the output so");
@@ -85,12 +86,13 @@ Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report) {
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
   Parameterization map;
-  Status status =
-      Parameterize(*surface, FreeBoundaryTargets(surface->triangulation), job.options, {}, &map);
+  Status status = Parameterize(*surface, FreeBoundaryTargets(surface->triangulation), job.options,
+                               control, &map);
   map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
   if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
+  if (status.code() == StatusCode::kCancelled) return status;
   if (status.ok()) {
     report << Summary(map.certificate);
     const Timer write_timer;

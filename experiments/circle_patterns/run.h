@@ -24,7 +24,9 @@ std::string CarrierStem(const CirclePatternsJob& job);
 
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to
-/// be parameterized, beside it the carriers of a proof that there is no map.
-Status RunCirclePatterns(const CirclePatternsJob& job, std::ostream& report);
+/// be parameterized, beside it the carriers of a proof that there is no map; none of them when
+/// `control` cancels.
+Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
+                         std::ostream& report);
 
 }  // namespace cirque

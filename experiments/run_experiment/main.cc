@@ -8,7 +8,7 @@
 #include "experiments/common/flag_parsing.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
-#include "experiments/run_experiment/interrupt.h"
+#include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/schema.h"
 

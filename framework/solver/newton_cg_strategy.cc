@@ -27,9 +27,14 @@ class PreconditionedDirection {
     const double tolerance = Forcing(gradient.norm());
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const SparseMatrix& regularized = shift->Apply(hessian_);
-      if (SolveWithFactor(regularized, gradient, tolerance, direction)) return true;
+      if (Solve(regularized, gradient, tolerance, direction)) return true;
       factored_ = run_->Factorize(regularized, cholesky_);
-      if (!factored_ && !shift->Raise()) return false;
+      // With its own factor a step may fall short of the tolerance by rounding only.
+      if (factored_) {
+        Solve(regularized, gradient, tolerance, direction);
+        if (IsDescent(*direction, gradient)) return true;
+      }
+      if (!shift->Raise()) return false;
     }
     return false;
   }
@@ -42,14 +47,19 @@ class PreconditionedDirection {
     return std::clamp(ratio * ratio, kLeastForcing, options_.forcing);
   }
 
-  bool SolveWithFactor(const SparseMatrix& matrix, const Eigen::VectorXd& gradient,
-                       double tolerance, Eigen::VectorXd* direction) {
+  static bool IsDescent(const Eigen::VectorXd& direction, const Eigen::VectorXd& gradient) {
+    return direction.allFinite() && direction.dot(gradient) < 0;
+  }
+
+  /// Solves to the tolerance with the factor at hand, if there is one.
+  bool Solve(const SparseMatrix& matrix, const Eigen::VectorXd& gradient, double tolerance,
+             Eigen::VectorXd* direction) {
     if (!factored_) return false;
     const CgResult cg = ConjugateGradients(
         matrix, -gradient, [this](const Eigen::VectorXd& b) { return run_->Solve(b, cholesky_); },
         tolerance, options_.max_cg_iterations, direction);
     run_->summary().cg_iterations += cg.iterations;
-    return cg.converged && direction->allFinite() && direction->dot(gradient) < 0;
+    return cg.converged && IsDescent(*direction, gradient);
   }
 
   const NewtonCgOptions& options_;

@@ -1,3 +1,6 @@
+#include "cirque/solver/ceres_line_search_strategy.h"
+#include "cirque/solver/ceres_trust_region_strategy.h"
+#include "cirque/solver/newton_cg_strategy.h"
 #include "cirque/solver/newton_strategy.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -7,6 +10,10 @@ const Registry<SolverStrategyFactory>& SolverStrategies() {
   static const Registry<SolverStrategyFactory> kTable(
       "solver strategy", {
                              {"newton", FactoryOf<NewtonStrategy>(NewtonOptionTable())},
+                             {"newton_cg", FactoryOf<NewtonCgStrategy>(NewtonCgOptionTable())},
+                             {"ceres_trust_region",
+                              FactoryOf<CeresTrustRegionStrategy>(CeresTrustRegionOptionTable())},
+                             {"ceres_line_search", MakeCeresLineSearch},
                          });
   return kTable;
 }

@@ -1,5 +1,6 @@
 #include "cirque/solver/solve_run.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,17 @@ SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const Solve
                    const Energy& energy)
     : limits_(limits), control_(control), energy_(energy) {
   summary_.strategy = std::move(strategy);
+}
+
+bool SolveRun::Value(const double* x, double* value, Eigen::VectorXd* gradient) {
+  const Timer timer;
+  if (gradient) gradient->resize(energy_.NumParameters());
+  const bool defined = energy_.Evaluate(x, value, gradient ? gradient->data() : nullptr) &&
+                       std::isfinite(*value) && (!gradient || gradient->allFinite());
+  ++summary_.value_evaluations;
+  if (gradient) ++summary_.gradient_evaluations;
+  summary_.evaluation_seconds += timer.Seconds();
+  return defined;
 }
 
 bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
@@ -47,11 +59,7 @@ Eigen::VectorXd SolveRun::Solve(const Eigen::VectorXd& right_side, SparseCholesk
 }
 
 bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
-  gradient->resize(x.size());
-  ++summary_.value_evaluations;
-  ++summary_.gradient_evaluations;
-  if (!energy_.Evaluate(x.data(), &summary_.initial_value, gradient->data()) ||
-      !gradient->allFinite()) {
+  if (!x.allFinite() || !Value(x.data(), &summary_.initial_value, gradient)) {
     End(Termination::kInvalidStart, "the start lies outside the energy's domain");
     return false;
   }
@@ -76,9 +84,10 @@ bool SolveRun::Continue(const Eigen::VectorXd& gradient) {
   return summary_.termination == Termination::kNotRun;
 }
 
-bool SolveRun::Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-                      double step_length) {
+bool SolveRun::Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length,
+                      double value) {
   IterationRecord record;
+  record.value = value;
   record.iteration = summary_.num_iterations() + 1;
   record.gradient_max = gradient.lpNorm<Eigen::Infinity>();
   record.step_length = step_length;
@@ -99,10 +108,9 @@ void SolveRun::End(Termination termination, std::string message) {
 }
 
 SolveSummary SolveRun::Finish(const Eigen::VectorXd& x) {
-  if (summary_.termination != Termination::kInvalidStart) {
-    ++summary_.value_evaluations;
-    energy_.Evaluate(x.data(), &summary_.final_value, nullptr);
-  }
+  const bool began = summary_.termination != Termination::kInvalidStart &&
+                     summary_.termination != Termination::kUnsupported;
+  if (began) Value(x.data(), &summary_.final_value, nullptr);
   summary_.total_seconds = timer_.Seconds();
   return std::move(summary_);
 }

@@ -8,13 +8,15 @@
 
 namespace cirque {
 
-/// The bookkeeping of one solve by an iteration of our own: counts and times evaluations, keeps the
+/// The bookkeeping of one solve: counts and times evaluations, keeps the
 /// records, asks the callback, and knows when to end.
 class SolveRun {
  public:
   SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
            const Energy& energy);
 
+  /// The energy's forms at x, counted and timed. False outside the domain.
+  bool Value(const double* x, double* value, Eigen::VectorXd* gradient);  ///< gradient may be null
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
 
@@ -29,13 +31,15 @@ class SolveRun {
   /// Whether another step is due at this gradient; otherwise the termination is set.
   bool Continue(const Eigen::VectorXd& gradient);
 
-  /// Records an accepted step. False when the callback ended the solve.
-  bool Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length);
+  /// Records an accepted step, its value where the strategy knows it. False when the callback ended
+  /// the solve.
+  bool Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length,
+              double value = kUnset);
 
   /// Ends the solve for a reason of the strategy's own.
   void End(Termination termination, std::string message);
 
-  /// The summary, with the final value at x.
+  /// The summary, with the final value at x if the solve began.
   SolveSummary Finish(const Eigen::VectorXd& x);
 
   SolveSummary& summary() { return summary_; }

@@ -1,0 +1,60 @@
+#include "bench/terrain.h"
+
+#include <map>
+#include <memory>
+
+#include <glog/logging.h>
+
+#include "cirque/angles/angle_fit.h"
+#include "cirque/mesh/corner_angles.h"
+#include "cirque/mesh/generators.h"
+#include "cirque/mesh/preflight.h"
+
+namespace cirque {
+namespace {
+
+Surface MakeTerrain(int triangles) {
+  PreflightReport report;
+  StatusOr<Surface> surface = Preflight(*GenerateMesh("bumpy_terrain", {triangles, 1}), &report);
+  CHECK(surface.ok()) << surface.status().message();
+  return *std::move(surface);
+}
+
+ConeTargets FlatTargets(const Triangulation& t) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  const std::vector<Index> corners = CornersPerVertex(t);
+  ConeTargets targets;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
+    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
+  }
+  return targets;
+}
+
+std::unique_ptr<const EnergyInput> MakeInput(int triangles) {
+  auto input = std::make_unique<EnergyInput>();
+  const Surface surface = MakeTerrain(triangles);
+  const Triangulation& t = input->triangulation = surface.triangulation;
+  input->targets = FlatTargets(t);
+  input->reference = MeasureCornerAngles(t, MeasureEdgeLengths(surface));
+  for (const Eigen::Vector3d& p : surface.position) input->points.push_back(p.normalized());
+  input->weights.assign(input->points.size(), 1);
+  AngleFitResult fit;
+  const Status status =
+      FitAngles({AngleConstraints(t, input->targets), input->reference.value, input->epsilon},
+                *AngleObjectives().Find("quadratic"), **MakeSolverStrategy("newton"), {}, &fit);
+  CHECK(status.ok()) << status.message();
+  input->coherent = std::move(fit.angles);
+  return input;
+}
+
+}  // namespace
+
+const EnergyInput& Terrain(int triangles) {
+  static std::map<int, std::unique_ptr<const EnergyInput>> cache;
+  auto& input = cache[triangles];
+  if (!input) input = MakeInput(triangles);
+  return *input;
+}
+
+}  // namespace cirque

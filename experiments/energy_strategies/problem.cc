@@ -1,0 +1,86 @@
+#include "experiments/energy_strategies/problem.h"
+
+#include <filesystem>
+
+#include "cirque/angles/angle_fit.h"
+#include "cirque/energy/dual_angle_energy.h"
+#include "cirque/mesh/corner_angles.h"
+#include "cirque/mesh/io.h"
+#include "cirque/mesh/preflight.h"
+
+namespace cirque {
+namespace {
+
+ConeTargets FlatTargets(const Triangulation& t) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  const std::vector<Index> corners = CornersPerVertex(t);
+  ConeTargets targets;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
+    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
+  }
+  return targets;
+}
+
+/// Unit vectors from the centre of mass to the vertices.
+std::vector<Eigen::Vector3d> Directions(const Surface& surface) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : surface.position) centre += p;
+  centre /= static_cast<double>(surface.position.size());
+  std::vector<Eigen::Vector3d> directions;
+  for (const Eigen::Vector3d& p : surface.position) directions.push_back((p - centre).normalized());
+  return directions;
+}
+
+Status FitCoherentAngles(EnergyInput* input) {
+  const AngleConstraints constraints(input->triangulation, input->targets);
+  AngleFitResult fit;
+  Status status =
+      FitAngles({constraints, input->reference.value, input->epsilon},
+                *AngleObjectives().Find("quadratic"), **MakeSolverStrategy("newton"), {}, &fit);
+  input->coherent = std::move(fit.angles);
+  input->epsilon = input->coherent.epsilon;
+  return status;
+}
+
+}  // namespace
+
+StatusOr<std::shared_ptr<const StudyProblem>> MakeProblem(const std::string& name,
+                                                          const Surface& surface) {
+  auto problem = std::make_shared<StudyProblem>();
+  problem->mesh = name;
+  EnergyInput& input = problem->input;
+  input.triangulation = surface.triangulation;
+  input.targets = FlatTargets(surface.triangulation);
+  input.reference = MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
+  input.points = Directions(surface);
+  input.weights.assign(input.points.size(), 1.0 / static_cast<double>(input.points.size()));
+  if (Status s = FitCoherentAngles(&input); !s.ok()) return s.In(name);
+  return std::shared_ptr<const StudyProblem>(std::move(problem));
+}
+
+StatusOr<std::shared_ptr<const StudyProblem>> LoadProblem(const std::string& path) {
+  const StatusOr<PolygonSoup> soup = ReadMesh(path);
+  if (!soup.ok()) return soup.status();
+  PreflightReport report;
+  const StatusOr<Surface> surface = Preflight(*soup, &report);
+  if (!surface.ok()) return surface.status().In(path);
+  return MakeProblem(std::filesystem::path(path).stem().string(), *surface);
+}
+
+Eigen::VectorXd StartOf(const Energy& energy, const EnergyInput& input) {
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(energy.NumParameters());
+  double value;
+  const bool starts_at_zero = energy.Evaluate(start.data(), &value, nullptr);
+  return starts_at_zero ? start : input.coherent.value;
+}
+
+Eigen::VectorXd ComparableSolution(const Energy& energy, const Eigen::VectorXd& x) {
+  if (const auto* dual = dynamic_cast<const DualAngleEnergy*>(&energy)) {
+    return dual->Angles(x.data());
+  }
+  const std::vector<int> gauge = energy.GaugeParameters();
+  return gauge.empty() ? x : Eigen::VectorXd(x.array() - x[gauge.front()]);
+}
+
+}  // namespace cirque

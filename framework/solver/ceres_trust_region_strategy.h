@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/solver/solver_strategy.h"
+
+namespace cirque {
+
+struct CeresTrustRegionOptions : SolverLimits {
+  std::string trust_region = "levenberg_marquardt";  ///< or dogleg
+  std::string residuals = "exact";  ///< the energy's own; or gradient: grad E = 0 by least squares
+  double initial_radius = 1e8;      ///< large: the first step is Gauss and Newton's
+  int num_threads = 1;              ///< for residuals and Jacobians
+};
+
+const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable();
+
+/// Whether the energy has residual blocks of its own that a trust region can work on.
+bool OffersResiduals(const Energy& energy);
+
+/// Ceres Solver's nonlinear least squares on the energy's residual blocks: Levenberg and Marquardt,
+/// or dogleg, each step by sparse Cholesky on the normal equations. With exact residuals J'J has
+/// the pattern and conditioning of the Hessian (DESIGN 2.2); kUnsupported for an energy without
+/// any.
+///
+/// Ceres accepts steps by the value, which near the minimum has half the digits of the gradient; so
+/// steps may raise the value (its non-monotonic mode), and a solve that Ceres ends on equal values
+/// goes on while that halves the gradient. What remains is reported as kStalled.
+///
+/// Counts: a value evaluation is one of all residuals, a Hessian evaluation one of all Jacobians
+/// (with gradient residuals: gradients and Hessians); a linear solve is a factorization, and Ceres
+/// times both together.
+class CeresTrustRegionStrategy final : public SolverStrategy {
+ public:
+  explicit CeresTrustRegionStrategy(const CeresTrustRegionOptions& options) : options_(options) {}
+  SolveSummary Minimize(const Energy& energy, const SolveControl& control,
+                        Eigen::VectorXd* x) const override;
+
+ private:
+  CeresTrustRegionOptions options_;
+};
+
+}  // namespace cirque
