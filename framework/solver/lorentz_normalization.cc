@@ -29,7 +29,6 @@ std::string Fault(const std::vector<Vector3d>& points, const std::vector<double>
   if (points.size() != weights.size()) {
     return fmt::format("{} points but {} weights", points.size(), weights.size());
   }
-  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(std::abs(points[i].norm() - 1) < kUnitTolerance)) {
       return fmt::format("point {} is no unit vector: its length is {}", i, points[i].norm());
@@ -37,6 +36,9 @@ std::string Fault(const std::vector<Vector3d>& points, const std::vector<double>
     if (!(weights[i] > 0 && std::isfinite(weights[i]))) {
       return fmt::format("the weight of point {} is {}, not positive", i, weights[i]);
     }
+  }
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(weights[i] < 0.5 * total)) {
       return fmt::format("point {} has at least half of all weight: no boost centres it", i);
     }
