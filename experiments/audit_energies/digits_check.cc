@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 using high_precision::Real;
 
 /// Of the point's step: the differences' truncation error is its square, relatively.
-constexpr double kReferenceStep = 1e-11;
+constexpr double kReferenceStep = 1e-9;
 
 /// Few directions, since each costs two energies in 50 digits: single parameters, pairs of which
 /// the Hessian has an entry, and a mixture.
@@ -50,7 +50,7 @@ void CheckPoint(const Subject& s, const AuditPoint& point, Finding* finding) {
   finding->Note(RelativeTo(here.value - Real(value), 1 + static_cast<double>(here.magnitude)),
                 s.Where(point, "value against 50 digits, relative to its terms"));
   const double gradient_scale = 1 + gradient.lpNorm<Eigen::Infinity>();
-  const double hessian_floor = std::max(1e-6 * hessian.lpNorm<Eigen::Infinity>(), 1e-12);
+  const double hessian_floor = std::max(1e-3 * hessian.lpNorm<Eigen::Infinity>(), 1e-9);
   const Real h = Real(point.step) * Real(kReferenceStep);
   for (const VectorXd& p : FewDirections(hessian)) {
     const Real plus = Along(s, point, p, h).value, minus = Along(s, point, p, -h).value;
