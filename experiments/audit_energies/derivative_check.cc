@@ -16,7 +16,8 @@ constexpr int kHalvings = 10;
 constexpr double kOverNoise = 50;
 
 /// What rounding does to f near x: the largest |second difference| over steps so short that nothing
-/// else is in it, and some 20 ulp of the terms, whose magnitude is given.
+/// else is in it, and 2e-14 of the terms (element functions promise 1e-13), whose magnitude is
+/// given.
 template <class Function>
 double Noise(const Function& f, const VectorXd& x, const VectorXd& p, double step,
              double magnitude) {
@@ -27,7 +28,7 @@ double Noise(const Function& f, const VectorXd& x, const VectorXd& p, double ste
     const auto plus = f(x + move), minus = f(x - move);
     noise = std::max(noise, ((plus - here) + (minus - here)).template lpNorm<Eigen::Infinity>());
   }
-  return noise + 5e-15 * magnitude;
+  return noise + 2e-14 * magnitude;
 }
 
 /// By how much the order at which remainder(h) falls from h = step on is short of `order`: measured
