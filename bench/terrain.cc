@@ -20,29 +20,18 @@ Surface MakeTerrain(int triangles) {
   return *std::move(surface);
 }
 
-ConeTargets FlatTargets(const Triangulation& t) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<Index> corners = CornersPerVertex(t);
-  ConeTargets targets;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
-    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
-  }
-  return targets;
-}
-
 std::unique_ptr<const EnergyInput> MakeInput(int triangles) {
   auto input = std::make_unique<EnergyInput>();
   const Surface surface = MakeTerrain(triangles);
   const Triangulation& t = input->triangulation = surface.triangulation;
-  input->targets = FlatTargets(t);
+  input->targets = FreeBoundaryTargets(t);
   input->reference = MeasureCornerAngles(t, MeasureEdgeLengths(surface));
   for (const Eigen::Vector3d& p : surface.position) input->points.push_back(p.normalized());
   input->weights.assign(input->points.size(), 1);
   AngleFitResult fit;
   const Status status =
       FitAngles({AngleConstraints(t, input->targets), input->reference.value, input->epsilon},
-                *AngleObjectives().Find("quadratic"), **MakeSolverStrategy("newton"), {}, &fit);
+                *AngleObjectives().Find("quadratic"), **MakeAngleFitMethod("newton"), {}, &fit);
   CHECK(status.ok()) << status.message();
   input->coherent = std::move(fit.angles);
   return input;

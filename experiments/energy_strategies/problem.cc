@@ -11,17 +11,6 @@
 namespace cirque {
 namespace {
 
-ConeTargets FlatTargets(const Triangulation& t) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<Index> corners = CornersPerVertex(t);
-  ConeTargets targets;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
-    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
-  }
-  return targets;
-}
-
 /// Unit vectors from the centre of mass to the vertices.
 std::vector<Eigen::Vector3d> Directions(const Surface& surface) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -51,7 +40,7 @@ StatusOr<std::shared_ptr<const StudyProblem>> MakeProblem(const std::string& nam
   problem->mesh = name;
   EnergyInput& input = problem->input;
   input.triangulation = surface.triangulation;
-  input.targets = FlatTargets(surface.triangulation);
+  input.targets = FreeBoundaryTargets(surface.triangulation);
   input.reference = MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
   input.points = Directions(surface);
   input.weights.assign(input.points.size(), 1.0 / static_cast<double>(input.points.size()));

@@ -6,9 +6,9 @@
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
-#include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/schema.h"
 

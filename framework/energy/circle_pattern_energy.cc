@@ -23,12 +23,11 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     } else {
       CHECK_GT(angles.value[g], 0) << "corner " << g;
       CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
-      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), alpha, angles.value[g]});
+      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), alpha, angles.value[g],
+                        CircleAngle::FromCorners(alpha, angles.value[g]).theta});
     }
   }
 }
-
-double CirclePatternEnergy::InteriorEdge::theta() const { return kPi - alpha_i - alpha_j; }
 
 double CirclePatternEnergy::InteriorEdge::natural_d() const {
   return MinimalLogRatio(alpha_i, alpha_j);
@@ -38,7 +37,7 @@ bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gra
   CompensatedSum sum;
   for (int f = 0; f < num_faces_; ++f) sum += boundary_star_[f] * rho[f];
   for (const InteriorEdge& e : edges_) {
-    const double theta = e.theta();
+    const double theta = e.theta;
     sum += EdgePotential(rho[e.i] - rho[e.j], theta).value;
     sum += -(kPi - theta) * (rho[e.i] + rho[e.j]);
   }
@@ -48,9 +47,10 @@ bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gra
 }
 
 bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
+  if (!AllFinite(rho)) return false;
   Eigen::Map<Eigen::VectorXd>(gradient, num_faces_) = boundary_star_;
   for (const InteriorEdge& e : edges_) {
-    const double theta = e.theta();
+    const double theta = e.theta;
     const double phi_i = HalfAngle(rho[e.i] - rho[e.j], theta);
     gradient[e.i] -= 2 * phi_i;
     gradient[e.j] -= 2 * ((kPi - theta) - phi_i);
@@ -59,9 +59,10 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
 }
 
 bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const {
+  if (!AllFinite(rho)) return false;
   LaplacianAssembler laplacian(num_faces_, edges_.size());
   for (const InteriorEdge& e : edges_) {
-    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.theta()));
+    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.theta));
   }
   laplacian.Assemble(lower);
   return true;
@@ -71,7 +72,7 @@ double CirclePatternEnergy::ResidualOffset() const {
   CompensatedSum sum;
   for (const InteriorEdge& e : edges_) {
     const double d = e.natural_d();
-    sum += EdgePotential(d, e.theta()).value;
+    sum += EdgePotential(d, e.theta).value;
     sum += (e.alpha_i - e.alpha_j) * d;
   }
   return sum.Value();

@@ -32,7 +32,7 @@ class CirclePatternEnergy final : public Energy {
   bool Gradient(const double* rho, double* gradient) const override;
   bool Hessian(const double* rho, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override { return {0}; }
-  bool HasExactResiduals() const override { return true; }
+  ResidualForm residual_form() const override { return ResidualForm::kExact; }
   void AddResidualBlocks(double* rho, ceres::Problem* problem) const override;
 
   /// The constant with 1/2 |r|^2 = S - ResidualOffset().
@@ -42,9 +42,9 @@ class CirclePatternEnergy final : public Energy {
   struct InteriorEdge {
     int i, j;                 ///< the faces left of the edge's halfedge and of its twin
     double alpha_i, alpha_j;  ///< their corner angles opposite the edge
-    double theta() const;     ///< intersection angle
-    double natural_d()
-        const;  ///< d_e: the log ratio at which both halves agree with the coherent angles
+    double theta;             ///< intersection angle, accurate also where it is tiny
+    /// d_e: the log ratio at which both halves agree with the coherent angles.
+    double natural_d() const;
   };
 
   int num_faces_;

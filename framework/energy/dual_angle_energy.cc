@@ -1,5 +1,6 @@
 #include "cirque/energy/dual_angle_energy.h"
 
+#include <cmath>
 #include <utility>
 
 #include "cirque/energy/edge_block_assembler.h"
@@ -24,6 +25,7 @@ EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
 }
 
 bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient) const {
+  if (!AllFinite(y)) return false;
   const Triangulation& t = constraints_.triangulation();
   const int rows = constraints_.num_rows();
   CompensatedSum sum;
@@ -48,10 +50,11 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
     if (!t.IsBoundaryEdge(e)) add(t.twin[t.edge_halfedge[e]], g.alpha_r);
   }
   *value = sum.Value();
-  return true;
+  return std::isfinite(*value);
 }
 
 bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
+  if (!AllFinite(y)) return false;
   const Triangulation& t = constraints_.triangulation();
   EdgeBlockAssembler matrix(constraints_);
   for (Index e = 0; e < t.num_edges(); ++e) {

@@ -1,11 +1,18 @@
 #include "cirque/energy/energy.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glog/logging.h>
 
 namespace cirque {
 
 void Energy::AddResidualBlocks(double*, ceres::Problem*) const {
-  LOG(FATAL) << "this energy has no least-squares form; ask HasExactResiduals() first";
+  LOG(FATAL) << "this energy has no least-squares form; ask residual_form() first";
+}
+
+bool Energy::AllFinite(const double* x) const {
+  return std::all_of(x, x + NumParameters(), [](double t) { return std::isfinite(t); });
 }
 
 }  // namespace cirque

@@ -11,10 +11,19 @@ namespace cirque {
 /// A symmetric matrix by its lower triangle, compressed by columns.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// A convex function of n parameters that strategies minimise. It is a ceres::FirstOrderFunction,
-/// so any Ceres line search takes it as it is:
-///   Evaluate(x, value, gradient): gradient may be null; false when x is outside the domain.
-/// Beyond that it gives its sparse Hessian, and where one is known an exact least-squares form.
+/// What AddResidualBlocks gives.
+enum class ResidualForm {
+  kAbsent,    ///< nothing
+  kExact,     ///< residuals r with 1/2 |r(x)|^2 = E(x) - constant for all x in the domain
+  kGradient,  ///< r = grad E with the Hessian as Jacobian: 1/2 |r|^2 is not E but vanishes with its
+              ///< gradient, and J'J = H^2
+};
+
+/// A function of n parameters that strategies minimise. It is a ceres::FirstOrderFunction, so any
+/// Ceres line search takes it as it is:
+///   Evaluate(x, value, gradient): gradient may be null; false when x is outside the domain, which
+///   a NaN or an infinity always is.
+/// Beyond that it gives its sparse Hessian, and where one is known a least-squares form.
 class Energy : public ceres::FirstOrderFunction {
  public:
   /// The gradient alone, for stopping tests and line searches that need no value. Same contract as
@@ -28,6 +37,9 @@ class Energy : public ceres::FirstOrderFunction {
   /// domain.
   virtual bool Hessian(const double* x, SparseMatrix* lower) const = 0;
 
+  /// Whether the Hessian is positive semidefinite in the whole domain.
+  virtual bool IsConvex() const { return true; }
+
   /// Parameters to hold fixed, because the energy does not change along a kernel of that dimension
   /// (one for the scale of a circle pattern). The gradient is orthogonal to the kernel.
   virtual std::vector<int> GaugeParameters() const { return {}; }
@@ -36,13 +48,15 @@ class Energy : public ceres::FirstOrderFunction {
   /// the gauge.
   virtual double LeastHessianShift() const { return 0; }
 
-  /// True when AddResidualBlocks gives residuals r with 1/2 |r(x)|^2 = E(x) - constant for all x in
-  /// the domain.
-  virtual bool HasExactResiduals() const { return false; }
+  virtual ResidualForm residual_form() const { return ResidualForm::kAbsent; }
 
   /// Adds the residual blocks on scalar parameter blocks x[0], ..., x[n - 1] and holds the gauge
-  /// parameters constant. The problem owns its cost functions. @pre HasExactResiduals().
+  /// parameters constant. The problem owns its cost functions. @pre residual_form() is not kAbsent.
   virtual void AddResidualBlocks(double* x, ceres::Problem* problem) const;
+
+ protected:
+  /// Whether all n parameters are finite, which every domain demands.
+  bool AllFinite(const double* x) const;
 };
 
 }  // namespace cirque

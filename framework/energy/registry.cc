@@ -3,13 +3,24 @@
 #include <string>
 
 #include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/energy/coherent_angle_barrier.h"
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/energy/lorentz_energy.h"
 
 namespace cirque {
 namespace {
 
 std::unique_ptr<Energy> MakeCirclePattern(const EnergyInput& input) {
   return std::make_unique<CirclePatternEnergy>(input.triangulation, input.coherent);
+}
+
+std::unique_ptr<Energy> MakeCoherentAngleBarrier(const EnergyInput& input) {
+  return std::make_unique<CoherentAngleBarrier>(input.triangulation, input.reference,
+                                                input.epsilon);
+}
+
+std::unique_ptr<Energy> MakeLorentz(const EnergyInput& input) {
+  return std::make_unique<LorentzEnergy>(input.points, input.weights);
 }
 
 /// The dual of the angle fit with that objective.
@@ -27,6 +38,8 @@ const Registry<EnergyFactory>& Energies() {
   static const Registry<EnergyFactory> kTable(
       "energy", {
                     {"circle_pattern", MakeCirclePattern},
+                    {"coherent_angle_barrier", MakeCoherentAngleBarrier},
+                    {"lorentz", MakeLorentz},
                     {"quadratic_dual", DualOf("quadratic")},
                     {"weighted_quadratic_dual", DualOf("weighted_quadratic")},
                     {"barrier_dual", DualOf("barrier")},

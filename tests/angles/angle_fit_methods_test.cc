@@ -34,7 +34,7 @@ Fitted Fit(const std::string& method, const std::string& objective, const Surfac
 }
 
 Fitted FlatFit(const std::string& method, const std::string& objective, const Surface& surface) {
-  return Fit(method, objective, surface, FlatTargets(surface.triangulation));
+  return Fit(method, objective, surface, FreeBoundaryTargets(surface.triangulation));
 }
 
 bool Takes(const std::string& method, const std::string& objective) {
@@ -105,7 +105,7 @@ TEST(AngleFitMethods, PrimalMethodsTakeRangedAngleSums) {
   // The rim's angle sums are held to a range that binds at some vertices and not at others.
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
   const Triangulation& t = surface.triangulation;
-  ConeTargets targets = FlatTargets(t);
+  ConeTargets targets = FreeBoundaryTargets(t);
   const std::vector<bool> boundary = BoundaryVertices(t);
   for (Index v = 0; v < t.num_vertices; ++v) {
     if (boundary[v]) targets.lower[v] = 0.9 * kPi, targets.upper[v] = 1.1 * kPi;
@@ -130,7 +130,7 @@ TEST(AngleFitMethods, PrimalMethodsTakeRangedAngleSums) {
 
 TEST(AngleFitMethods, FixedSumsAtEveryVertexLeaveAGaugeThatIsHandled) {
   const Surface fan = Fan(6, 0.5);
-  ConeTargets targets = FlatTargets(fan.triangulation);
+  ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   for (Index v = 1; v <= 6; ++v) targets.lower[v] = targets.upper[v] = (v % 2 ? 5 : 7) * kPi / 9;
   const Fitted reference = Fit("newton", "quadratic", fan, targets);
   ASSERT_TRUE(reference.status.ok()) << reference.status.message();
@@ -155,7 +155,7 @@ TEST(AngleFitMethods, EachProvesInfeasibility) {
 TEST(AngleFitMethods, MarginsShrinkUnderEachMethod) {
   const Surface fan = Fan(40, 0.1);
   // 40 corners of 0.12 rad would take more than half of the full angle.
-  const AngleConstraints constraints(fan.triangulation, FlatTargets(fan.triangulation));
+  const AngleConstraints constraints(fan.triangulation, FreeBoundaryTargets(fan.triangulation));
   const CornerAngles reference = AnglesOf(fan);
   for (const std::string& method : AngleFitMethods().Names()) {
     AngleFitResult result;
@@ -170,7 +170,7 @@ TEST(AngleFitMethods, MarginsShrinkUnderEachMethod) {
 
 TEST(AngleFitMethods, EndWhenAsked) {
   const Surface surface = GeneratedSurface("capped_tube", 200);
-  const ConeTargets targets = FlatTargets(surface.triangulation);
+  const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
   const std::atomic<bool> cancelled = true;
   for (const std::string& method : AngleFitMethods().Names()) {
     SCOPED_TRACE(method);

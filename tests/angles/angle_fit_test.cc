@@ -25,7 +25,7 @@ Fitted Fit(const Surface& surface, const ConeTargets& targets, double epsilon = 
 
 TEST(AngleFit, SymmetricFanSplitsTheFullAngleEvenly) {
   const Surface fan = Fan(5, 0.8);
-  const Fitted fitted = Fit(fan, FlatTargets(fan.triangulation));
+  const Fitted fitted = Fit(fan, FreeBoundaryTargets(fan.triangulation));
   ASSERT_TRUE(fitted.status.ok()) << fitted.status.message();
   for (Index h = 0; h < fan.triangulation.num_halfedges(); ++h) {
     const double wanted = fan.triangulation.vertex[h] == 0 ? 2 * kPi / 5 : 3 * kPi / 10;
@@ -35,7 +35,7 @@ TEST(AngleFit, SymmetricFanSplitsTheFullAngleEvenly) {
 
 TEST(AngleFit, LeavesAFlatDelaunayPatchAlone) {
   const Surface patch = GeneratedSurface("flat_delaunay_patch", 400);
-  const Fitted fitted = Fit(patch, FlatTargets(patch.triangulation), 1e-9);
+  const Fitted fitted = Fit(patch, FreeBoundaryTargets(patch.triangulation), 1e-9);
   ASSERT_TRUE(fitted.status.ok());
   EXPECT_LT((fitted.result.angles.value - AnglesOf(patch).value).lpNorm<Eigen::Infinity>(), 1e-8);
 }
@@ -44,7 +44,7 @@ TEST(AngleFit, IsFeasibleAndHasNoDualityGap) {
   for (const char* name : {"bumpy_terrain", "spherical_cap", "enneper_patch", "capped_tube"}) {
     SCOPED_TRACE(name);
     const Surface surface = GeneratedSurface(name, 800);
-    const Fitted fitted = Fit(surface, FlatTargets(surface.triangulation));
+    const Fitted fitted = Fit(surface, FreeBoundaryTargets(surface.triangulation));
     ASSERT_TRUE(fitted.status.ok()) << fitted.status.message();
     const KktReport& kkt = fitted.result.kkt;
     EXPECT_LT(kkt.triangle_sum_residual, 1e-14);
@@ -59,7 +59,7 @@ TEST(AngleFit, IsFeasibleAndHasNoDualityGap) {
 
 TEST(AngleFit, FixedBoundaryAnglesAreMet) {
   const Surface fan = Fan(6, 0.5);
-  ConeTargets targets = FlatTargets(fan.triangulation);
+  ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   // A hexagon whose corners alternate between 100 and 140 degrees.
   const double sharp = 5 * kPi / 9, blunt = 7 * kPi / 9;
   for (Index v = 1; v <= 6; ++v) targets.lower[v] = targets.upper[v] = v % 2 ? sharp : blunt;
@@ -74,7 +74,7 @@ TEST(AngleFit, FixedBoundaryAnglesAreMet) {
 TEST(AngleFit, AnglesOnTheEdgeOfDelaunayAreProvenImpossible) {
   // A regular triangle from a hexagonal fan: the edges to its corners see two right angles.
   const Surface fan = Fan(6, 0.5);
-  ConeTargets targets = FlatTargets(fan.triangulation);
+  ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   for (Index v = 1; v <= 6; ++v) targets.lower[v] = targets.upper[v] = v % 2 ? kPi / 3 : kPi;
   const Fitted fitted = Fit(fan, targets);
   EXPECT_EQ(fitted.status.code(), StatusCode::kInfeasible);
@@ -83,7 +83,7 @@ TEST(AngleFit, AnglesOnTheEdgeOfDelaunayAreProvenImpossible) {
 
 TEST(AngleFit, MarginShrinksWhereValenceForcesIt) {
   const Surface fan = Fan(40, 0.1);
-  const Fitted fitted = Fit(fan, FlatTargets(fan.triangulation), 0.12);
+  const Fitted fitted = Fit(fan, FreeBoundaryTargets(fan.triangulation), 0.12);
   ASSERT_TRUE(fitted.status.ok()) << fitted.status.message();
   EXPECT_LT(fitted.result.angles.epsilon, 0.12);
   EXPECT_GE(fitted.result.kkt.smallest_angle, fitted.result.angles.epsilon - 1e-12);
@@ -91,7 +91,7 @@ TEST(AngleFit, MarginShrinksWhereValenceForcesIt) {
 
 TEST(AngleFit, ProvesThatAKleetopeHasNoCoherentAngles) {
   const Surface kleetope = Kleetope(GeneratedSurface("bumpy_terrain", 200));
-  const Fitted fitted = Fit(kleetope, FlatTargets(kleetope.triangulation));
+  const Fitted fitted = Fit(kleetope, FreeBoundaryTargets(kleetope.triangulation));
   EXPECT_EQ(fitted.status.code(), StatusCode::kInfeasible);
   EXPECT_EQ(fitted.result.infeasibility.epsilon_over_pi, 0);
   EXPECT_GT(fitted.result.infeasibility.margin, 0);
@@ -101,14 +101,14 @@ TEST(AngleFit, ProvesThatAKleetopeHasNoCoherentAngles) {
 TEST(AngleFit, AnImpossibleConeIsProvenImpossible) {
   // Two triangles' worth of corners cannot make 2 pi: each is below pi.
   const Surface fan = Fan(6, 0.5);
-  ConeTargets targets = FlatTargets(fan.triangulation);
+  ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   targets.lower[1] = targets.upper[1] = 2 * kPi;
   EXPECT_EQ(Fit(fan, targets).status.code(), StatusCode::kInfeasible);
 }
 
 TEST(Infeasibility, MarginOfMultipliersThatProveNothingIsNotPositive) {
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
-  const ConeTargets targets = FlatTargets(surface.triangulation);
+  const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
   const AngleConstraints constraints(surface.triangulation, targets);
   for (int i = 0; i < 20; ++i) {
     const Eigen::VectorXd y = Eigen::VectorXd::Random(constraints.num_rows());

@@ -68,7 +68,7 @@ TEST_F(ExactProof, PlantedErrorsAreSeen) {
 
 TEST_F(ExactProof, RoundingOfTheTargetDecidesWhatIsProven) {
   // 2 pi less one ulp leaves room, if little: nothing may be proven at margin 0.
-  ConeTargets targets = FlatTargets(t_);
+  ConeTargets targets = FreeBoundaryTargets(t_);
   targets.lower[1] = targets.upper[1] = std::nextafter(2 * kPi, 0);
   const AngleConstraints constraints(t_, targets);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(constraints.num_rows());

@@ -26,7 +26,7 @@ class KktReportTest : public ::testing::Test {
 
   const Surface surface_ = GeneratedSurface("bumpy_terrain", 300);
   const Triangulation& t_ = surface_.triangulation;
-  const AngleConstraints constraints_{t_, FlatTargets(t_)};
+  const AngleConstraints constraints_{t_, FreeBoundaryTargets(t_)};
   const CornerAngles reference_ = AnglesOf(surface_);
   const AngleFitProblem problem_{constraints_, reference_.value, 0.2};
   const std::shared_ptr<const AngleObjective> objective_ = *AngleObjectives().Find("quadratic");

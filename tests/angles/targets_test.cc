@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 ConeTargets FanTargets(Index v, double lower, double upper) {
-  ConeTargets targets = FlatTargets(Fan(6, 0.5).triangulation);
+  ConeTargets targets = FreeBoundaryTargets(Fan(6, 0.5).triangulation);
   targets.lower[v] = lower;
   targets.upper[v] = upper;
   return targets;
@@ -33,9 +33,9 @@ void ExpectRefused(const Triangulation& t, const ConeTargets& targets, const std
 TEST(CheckTargets, AcceptsFlatDisksAndSpheresWithEnoughCurvature) {
   EXPECT_TRUE(CheckTargets(Fan(6, 0.5).triangulation, FanTargets(1, 0.3, 2)).ok());
   const Triangulation torus = GeneratedSurface("torus", 300).triangulation;
-  EXPECT_TRUE(CheckTargets(torus, FlatTargets(torus)).ok());
+  EXPECT_TRUE(CheckTargets(torus, FreeBoundaryTargets(torus)).ok());
   const Triangulation sphere = GeneratedSurface("sphere", 300).triangulation;
-  ConeTargets cones = FlatTargets(sphere);
+  ConeTargets cones = FreeBoundaryTargets(sphere);
   // 12 cones of curvature pi / 3, whose sums are not exact in floating point.
   for (Index v = 0; v < 12; ++v) cones.lower[v] = cones.upper[v] = 5 * kPi / 3;
   EXPECT_TRUE(CheckTargets(sphere, cones).ok()) << CheckTargets(sphere, cones).message();
@@ -59,7 +59,7 @@ TEST(CheckTargets, RefusesNumbersThatMeanNothing) {
 TEST(CheckTargets, RefusesAFullAngleAtTwoCorners) {
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(1, 2 * kPi, 2 * kPi),
                 "boundary vertex 1 has 2 corners");
-  ExpectRefused(Pillow(), FlatTargets(Pillow()), "inner vertex 0 has 2 corners");
+  ExpectRefused(Pillow(), FreeBoundaryTargets(Pillow()), "inner vertex 0 has 2 corners");
 }
 
 TEST(CheckTargets, RefusesAConeOfValenceTimesPiAndAnAngleSumOfZero) {
@@ -71,8 +71,9 @@ TEST(CheckTargets, RefusesAConeOfValenceTimesPiAndAnAngleSumOfZero) {
 
 TEST(CheckTargets, RefusesWhatGaussAndBonnetExclude) {
   const Triangulation sphere = GeneratedSurface("sphere", 300).triangulation;
-  ExpectRefused(sphere, FlatTargets(sphere), "take away 4 pi in all; all vertices are to be flat");
-  ConeTargets cones = FlatTargets(sphere);
+  ExpectRefused(sphere, FreeBoundaryTargets(sphere),
+                "take away 4 pi in all; all vertices are to be flat");
+  ConeTargets cones = FreeBoundaryTargets(sphere);
   for (Index v = 0; v < 5; ++v) cones.lower[v] = cones.upper[v] = kPi;
   ExpectRefused(sphere, cones, "add 1 pi in all; the vertices that are not flat are 0, 1, 2, 3, 4");
   // With intervals: the upper ends alone must reach far enough.

@@ -54,17 +54,6 @@ Surface Kleetope(const Surface& surface) {
   return MustBeSurface(soup);
 }
 
-ConeTargets FlatTargets(const Triangulation& t) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<Index> corners = CornersPerVertex(t);
-  ConeTargets targets;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
-    targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
-  }
-  return targets;
-}
-
 CornerAngles AnglesOf(const Surface& surface) {
   return MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
 }

@@ -17,9 +17,6 @@ Surface Fan(int n, double height);
 /// Every face split into three by a vertex at its centroid.
 Surface Kleetope(const Surface& surface);
 
-/// The interior vertices' sums fixed to 2 pi, boundary vertices free.
-ConeTargets FlatTargets(const Triangulation& triangulation);
-
 /// The surface's corner angles [rad].
 CornerAngles AnglesOf(const Surface& surface);
 

@@ -32,7 +32,7 @@ class CirclePatternEnergyTest : public ::testing::Test {
   const Triangulation& t() const { return surface_.triangulation; }
 
   const Surface surface_ = GeneratedSurface("bumpy_terrain", 200);
-  const ConeTargets targets_ = FlatTargets(surface_.triangulation);
+  const ConeTargets targets_ = FreeBoundaryTargets(surface_.triangulation);
   CoherentAngles angles_;
   Eigen::VectorXd rho_;
 };

@@ -20,7 +20,7 @@ class DualAngleEnergyTest : public ::testing::Test {
   }
 
   const Surface surface_ = GeneratedSurface("bumpy_terrain", 120);
-  const ConeTargets targets_ = FlatTargets(surface_.triangulation);
+  const ConeTargets targets_ = FreeBoundaryTargets(surface_.triangulation);
   const AngleConstraints constraints_{surface_.triangulation, targets_};
   const CornerAngles reference_ = AnglesOf(surface_);
   const DualAngleEnergy energy_{constraints_, reference_.value, kEps,
@@ -55,7 +55,7 @@ TEST_F(DualAngleEnergyTest, WeakDualityHoldsAtAnyMultipliers) {
   // Any feasible primal point bounds -f from above; the flat equilateral angles of a hexagonal fan
   // are one.
   const Surface fan = Fan(6, 0.4);
-  const ConeTargets targets = FlatTargets(fan.triangulation);
+  const ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   const AngleConstraints constraints(fan.triangulation, targets);
   const CornerAngles reference = AnglesOf(fan);
   const DualAngleEnergy energy(constraints, reference.value, kEps,

@@ -88,7 +88,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
 
 TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
   const Surface fan = Fan(6, 0.5);
-  ConeTargets targets = FlatTargets(fan.triangulation);
+  ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   targets.lower[1] = targets.upper[1] = 2 * kPi;
   const AngleConstraints constraints(fan.triangulation, targets);
   const CornerAngles reference = AnglesOf(fan);

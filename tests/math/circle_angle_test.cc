@@ -8,7 +8,7 @@
 
 #include "cirque/core/types.h"
 
-#include "tests/support/high_precision.h"
+#include "experiments/common/high_precision.h"
 
 namespace cirque {
 namespace {

@@ -12,7 +12,7 @@
 #include "cirque/core/types.h"
 #include "cirque/math/clausen_coefficients.h"
 
-#include "tests/support/high_precision.h"
+#include "experiments/common/high_precision.h"
 
 namespace cirque {
 namespace {

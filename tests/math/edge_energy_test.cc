@@ -11,7 +11,7 @@
 #include "cirque/core/types.h"
 #include "cirque/math/circle_angle.h"
 
-#include "tests/support/high_precision.h"
+#include "experiments/common/high_precision.h"
 
 namespace cirque {
 namespace {

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tests/support/high_precision.h"
+#include "experiments/common/high_precision.h"
 
 namespace cirque {
 namespace {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cirque/energy/registry.h"
+
+namespace cirque::audit_energies {
+
+/// Repeatable random numbers.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  double Uniform(double low, double high);
+  Eigen::VectorXd Vector(int n, double size);  ///< entries in [-size, size]
+  Eigen::Vector3d UnitVector();
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// A small bumpy disk with its measured angles, targets 2 pi inside and free on the boundary, and
+/// no points.
+EnergyInput DiskInput(unsigned seed);
+
+/// Angles around pi/3 in every triangle; theta about pi/3 everywhere.
+Eigen::VectorXd RoundAngles(const Triangulation& triangulation, unsigned seed);
+
+/// Equilateral triangles, but in a set of pairs of triangles both angles opposite the common edge
+/// are `opposite` and the others equal: pi/2 - tiny makes theta tiny there, tiny makes needles that
+/// meet under tiny theta. Above pi/2 the edge is not Delaunay.
+Eigen::VectorXd PairedAngles(const Triangulation& triangulation, double opposite);
+
+/// Unit vectors within about `scale` of one direction, random weights.
+EnergyInput PointsInput(int n, double scale, unsigned seed);
+
+}  // namespace cirque::audit_energies

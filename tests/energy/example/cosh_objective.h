@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cirque/energy/separable_objective.h"
+
+namespace cirque {
+
+/// The example of framework/energy/README.md: delta(x; x0) = cosh(x - x0) - 1.
+class CoshObjective final : public SeparableObjective {
+ public:
+  ScalarJet Distance(double reference, double x) const override;
+  ResidualJet Residual(double reference, double x) const override;
+  double WithSlope(double reference, double slope) const override;
+};
+
+}  // namespace cirque
