@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 using high_precision::Real;
 
 /// Of the point's step: the differences' truncation error is its square, relatively.
-constexpr double kReferenceStep = 1e-9;
+constexpr double kReferenceStep = 1e-8;
 
 /// Few directions, since each costs two energies in 50 digits: single parameters, pairs of which
 /// the Hessian has an entry, and a mixture.

@@ -6,7 +6,6 @@
 
 #include "cirque/energy/circle_pattern_residual.h"
 #include "cirque/energy/laplacian_assembler.h"
-#include "cirque/math/circle_angle.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/math/edge_energy.h"
 
@@ -24,7 +23,7 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
       CHECK_GT(angles.value[g], 0) << "corner " << g;
       CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
       edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), alpha, angles.value[g],
-                        CircleAngle::FromCorners(alpha, angles.value[g]).theta});
+                        CircleAngle::FromCorners(alpha, angles.value[g])});
     }
   }
 }
@@ -37,7 +36,7 @@ bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gra
   CompensatedSum sum;
   for (int f = 0; f < num_faces_; ++f) sum += boundary_star_[f] * rho[f];
   for (const InteriorEdge& e : edges_) {
-    const double theta = e.theta;
+    const double theta = e.angle.theta;
     sum += EdgePotential(rho[e.i] - rho[e.j], theta).value;
     sum += -(kPi - theta) * (rho[e.i] + rho[e.j]);
   }
@@ -50,8 +49,8 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   if (!AllFinite(rho)) return false;
   Eigen::Map<Eigen::VectorXd>(gradient, num_faces_) = boundary_star_;
   for (const InteriorEdge& e : edges_) {
-    const double theta = e.theta;
-    const double phi_i = HalfAngle(rho[e.i] - rho[e.j], theta);
+    const double theta = e.angle.theta;
+    const double phi_i = HalfAngle(rho[e.i] - rho[e.j], e.angle);
     gradient[e.i] -= 2 * phi_i;
     gradient[e.j] -= 2 * ((kPi - theta) - phi_i);
   }
@@ -62,7 +61,7 @@ bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const 
   if (!AllFinite(rho)) return false;
   LaplacianAssembler laplacian(num_faces_, edges_.size());
   for (const InteriorEdge& e : edges_) {
-    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.theta));
+    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.angle));
   }
   laplacian.Assemble(lower);
   return true;
@@ -72,7 +71,7 @@ double CirclePatternEnergy::ResidualOffset() const {
   CompensatedSum sum;
   for (const InteriorEdge& e : edges_) {
     const double d = e.natural_d();
-    sum += EdgePotential(d, e.theta).value;
+    sum += EdgePotential(d, e.angle.theta).value;
     sum += (e.alpha_i - e.alpha_j) * d;
   }
   return sum.Value();

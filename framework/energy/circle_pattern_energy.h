@@ -7,6 +7,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/energy.h"
+#include "cirque/math/circle_angle.h"
 
 namespace cirque {
 
@@ -42,7 +43,7 @@ class CirclePatternEnergy final : public Energy {
   struct InteriorEdge {
     int i, j;                 ///< the faces left of the edge's halfedge and of its twin
     double alpha_i, alpha_j;  ///< their corner angles opposite the edge
-    double theta;             ///< intersection angle, accurate also where it is tiny
+    CircleAngle angle;        ///< of intersection, accurate where theta or theta* is tiny
     /// d_e: the log ratio at which both halves agree with the coherent angles.
     double natural_d() const;
   };

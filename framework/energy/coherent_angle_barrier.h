@@ -19,8 +19,7 @@ namespace cirque {
 /// delta the Itakura-Saito divergence of BarrierObjective, references clamped as it does. Strictly
 /// convex; its domain is alpha > 0, theta > 0. Exact least squares: a residual a corner, in that
 /// angle, and one an edge, in the angles opposite.
-/// (With the constant terms -3F - E and without the reference's logarithms it is the printed sum of
-/// alpha/alpha0 - log alpha; see ERRATA.md for what is wrong with the printed one.)
+/// ERRATA.md says what is wrong with the printed formula.
 class CoherentAngleBarrier final : public Energy {
  public:
   /// `epsilon` [rad]: the least reference angle.
