@@ -6,6 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/mesh/preflight.h"

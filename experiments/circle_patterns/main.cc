@@ -51,6 +51,7 @@ Status CheckArguments(const std::vector<std::string>& others) {
 
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
   const StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);

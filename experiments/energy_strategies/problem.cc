@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
 #include "cirque/energy/dual_angle_energy.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/io.h"
@@ -26,7 +27,7 @@ Status FitCoherentAngles(EnergyInput* input) {
   AngleFitResult fit;
   Status status =
       FitAngles({constraints, input->reference.value, input->epsilon},
-                *AngleObjectives().Find("quadratic"), **MakeSolverStrategy("newton"), {}, &fit);
+                *AngleObjectives().Find("quadratic"), **MakeAngleFitMethod("newton"), {}, &fit);
   input->coherent = std::move(fit.angles);
   input->epsilon = input->coherent.epsilon;
   return status;

@@ -87,6 +87,7 @@ int Run(ExperimentConfig config) {
 
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
   const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);

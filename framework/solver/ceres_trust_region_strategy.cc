@@ -117,7 +117,9 @@ class TrustRegionSolve final : public ceres::EvaluationCallback {
 
 }  // namespace
 
-bool OffersResiduals(const Energy& energy) { return energy.HasExactResiduals(); }
+bool OffersResiduals(const Energy& energy) {
+  return energy.residual_form() != ResidualForm::kAbsent;
+}
 
 const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable() {
   using O = CeresTrustRegionOptions;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/audit_energies/audit.h"
@@ -81,7 +82,7 @@ TEST(AddAnObjective, ItIsFittedByTheDualLikeAnyOther) {
   const auto fit_with = [&](const std::shared_ptr<const AngleObjective>& objective) {
     AngleFitResult fit;
     const Status status = FitAngles({constraints, reference.value, 1e-3}, objective,
-                                    **MakeSolverStrategy("newton"), {}, &fit);
+                                    **MakeAngleFitMethod("newton"), {}, &fit);
     EXPECT_TRUE(status.ok()) << status.message();
     return fit.angles.value;
   };

@@ -69,7 +69,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
     CirclePatternsJob job = {Path("in.obj"), Path("out.obj"), "", {}};
     job.options.angle_strategy = method;
     std::ostringstream report;
-    EXPECT_EQ(RunCirclePatterns(job, report).code(), StatusCode::kInfeasible);
+    EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);
     EXPECT_FALSE(std::filesystem::exists(Path("out.obj")));
     const auto checked = Check(soup, "out.certificate.json");
     EXPECT_TRUE(checked.accepted()) << checked.Verdict();
