@@ -79,7 +79,8 @@ std::string Document(const Results& results, const std::string& command) {
       "Every solve starts at zero, or at coherent angles where zero is outside the domain; L-BFGS "
       "and nonlinear CG are limited to {:g} s, others to {:g} s. *gradient*: largest entry at the "
       "end, of the energy itself; *difference*: largest, from newton's minimiser, in rad or log "
-      "radii, gauge removed, multipliers compared by the angles they stand for.\n"
+      "radii, gauge removed, multipliers compared by the angles they stand for; *CPU s*: what to "
+      "go by where the machine was busy.\n"
       "{}\n## Least-squares forms of the circle-pattern energy\n\n{}",
       command, FLAGS_max_first_order_seconds, FLAGS_max_seconds, StrategyTables(results.strategies),
       LeastSquaresTable(results.least_squares));
@@ -124,7 +125,10 @@ int Main(int argc, char** argv) {
     return 0;
   }
   std::string command = "energy_strategies";
-  for (int i = 1; i < argc; ++i) command += fmt::format(" {}", argv[i]);
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (!argument.starts_with("--json")) command += " " + argument;
+  }
   return Run(meshes->empty() ? DefaultMeshes() : *meshes, command);
 }
 
