@@ -152,7 +152,8 @@ StatusOr<std::vector<int>> IntegerRotations(const Triangulation& t, const SeamRe
           t.Tail(seam.halfedges.front()), t.Tip(seam.halfedges.back()), seam.rotation / kPi,
           order));
     }
-    multiples.push_back(static_cast<int>(multiple));
+    // A half turn either way is the same; one of the two names it.
+    multiples.push_back(static_cast<int>(2 * multiple == -order ? -multiple : multiple));
   }
   return multiples;
 }

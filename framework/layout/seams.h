@@ -38,7 +38,7 @@ SeamReport MeasureSeams(const Triangulation& triangulation, const Cut& cut,
                         const CornerUv& uv);
 
 /// Every seam's rotation as a multiple of 2 pi / order (order 4: cones of multiples of pi/2; 6: of
-/// pi/3), in [-order/2, order/2]. Errors (invalid input): a rotation farther than `tolerance` [rad]
+/// pi/3), in (-order/2, order/2]. Errors (invalid input): a rotation farther than `tolerance` [rad]
 /// from all multiples, as around a handle or a loop of no such angle; the seam is named.
 StatusOr<std::vector<int>> IntegerRotations(const Triangulation& triangulation,
                                             const SeamReport& report, int order, double tolerance);
