@@ -184,6 +184,26 @@ TEST(CutOpen, FaceGluedToItself) {
   EXPECT_TRUE(CheckCut(cone, cut, {0}).ok());
 }
 
+TEST(CutGraph, TorusOfOneVertex) {
+  const Triangulation torus = NumberEdges(1, {0, 0, 0, 0, 0, 0}, {3, 4, 5, 0, 1, 2});
+  ASSERT_EQ(EulerCharacteristic(torus), 0);
+  const Eigen::Vector3d costs(1, 3, 2);
+  const Cut cut = *CutGraph(torus, costs, {0});
+  ExpectGoodCut(torus, cut, {0});
+  EXPECT_EQ(Length(cut, costs), 3);  // the two shortest loops
+}
+
+TEST(CutGraph, AnyCostsGiveACut) {
+  std::mt19937 random(1);
+  const Surface surface = GeneratedSurface("double_torus", 600);
+  const Triangulation& t = surface.triangulation;
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::VectorXd costs(t.num_edges());
+    for (double& cost : costs) cost = static_cast<double>(random() % 4);  // ties and zeros
+    ExpectGoodCut(t, *CutGraph(t, costs, {5, 77}), {5, 77});
+  }
+}
+
 /// A mesh of the shared folder with its genus and number of boundary loops.
 struct SharedMesh {
   const char* name;

@@ -19,6 +19,15 @@ using Cell = std::array<int, 4>;  // a sheet and integer coordinates
 /// Triangles on cells; every cell becomes a vertex where it is first named.
 class SoupBuilder {
  public:
+  void AddTriangle(const Cell& a, const Cell& b, const Cell& c) {
+    for (const Cell& cell : {a, b, c}) {
+      const auto [at, is_new] = vertex_.emplace(cell, static_cast<Index>(vertex_.size()));
+      if (is_new) soup_.position.emplace_back(cell[1], cell[2], cell[3]);
+      soup_.corner.push_back(at->second);
+    }
+    soup_.first_corner.push_back(static_cast<Index>(soup_.corner.size()));
+  }
+
   void AddSquare(const std::array<Cell, 4>& cell, bool other_diagonal = false) {
     const int k = other_diagonal ? 1 : 0;
     AddTriangle(cell[k], cell[k + 1], cell[k + 2]);
@@ -34,15 +43,6 @@ class SoupBuilder {
   }
 
  private:
-  void AddTriangle(const Cell& a, const Cell& b, const Cell& c) {
-    for (const Cell& cell : {a, b, c}) {
-      const auto [at, is_new] = vertex_.emplace(cell, static_cast<Index>(vertex_.size()));
-      if (is_new) soup_.position.emplace_back(cell[1], cell[2], cell[3]);
-      soup_.corner.push_back(at->second);
-    }
-    soup_.first_corner.push_back(static_cast<Index>(soup_.corner.size()));
-  }
-
   PolygonSoup soup_;
   std::map<Cell, Index> vertex_;
 };
@@ -106,6 +106,24 @@ FlatSurface FlatCube(int n) {
             {cell(i, j, n), cell(i + 1, j, n), cell(i + 1, j + 1, n), cell(i, j + 1, n)});
         builder.AddSquare(
             {cell(i, j, 0), cell(i, j + 1, 0), cell(i + 1, j + 1, 0), cell(i + 1, j, 0)});
+      }
+    }
+  }
+  return WithLengths(builder.Build(), nullptr);
+}
+
+FlatSurface FlatOctahedron(int n) {
+  SoupBuilder builder;
+  for (int octant = 0; octant < 8; ++octant) {
+    const int x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
+    const auto cell = [&](int i, int j) { return Cell{0, x * i, y * j, z * (n - i - j)}; };
+    const auto add = [&](const Cell& a, const Cell& b, const Cell& c) {
+      x* y* z > 0 ? builder.AddTriangle(a, b, c) : builder.AddTriangle(a, c, b);
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        add(cell(i, j), cell(i + 1, j), cell(i, j + 1));
+        if (i + j + 1 < n) add(cell(i + 1, j), cell(i + 1, j + 1), cell(i, j + 1));
       }
     }
   }

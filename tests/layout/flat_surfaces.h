@@ -16,6 +16,9 @@ struct FlatSurface {
 /// The surface of the cube [0, n]^3 in unit squares: 8 cones of 3 pi/2.
 FlatSurface FlatCube(int n);
 
+/// The surface of the regular octahedron, its sides in n parts: 6 cones of 4 pi/3.
+FlatSurface FlatOctahedron(int n);
+
 /// Two rectangles of n by m unit squares, sewn along their boundary: 4 cones of pi.
 FlatSurface FlatPillow(int n, int m);
 

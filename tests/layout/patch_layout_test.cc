@@ -167,22 +167,21 @@ TEST(PatchLayout, AWrongConeAngleIsSeen) {
   EXPECT_NEAR(report.max_cone_mismatch, 0.01, 1e-9);
 }
 
-/// Angles of a cube with errors, as a solver leaves them; triangles keep their sums.
-FlatSurface NoisyCube(double noise) {
-  FlatSurface cube = FlatCube(8);
+/// Angles with errors, as a solver leaves them; triangles keep their sums.
+FlatSurface WithNoise(FlatSurface flat, double noise) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> error(-noise, noise);
-  for (Index f = 0; f < cube.surface.triangulation.num_faces(); ++f) {
+  for (Index f = 0; f < flat.surface.triangulation.num_faces(); ++f) {
     const double a = error(random), b = error(random);
-    cube.angles.value[3 * f] += a;
-    cube.angles.value[3 * f + 1] += b;
-    cube.angles.value[3 * f + 2] -= a + b;
+    flat.angles.value[3 * f] += a;
+    flat.angles.value[3 * f + 1] += b;
+    flat.angles.value[3 * f + 2] -= a + b;
   }
-  return cube;
+  return flat;
 }
 
 TEST(SnapSeams, QuarterTurnsBecomeExact) {
-  const FlatSurface cube = NoisyCube(1e-9);
+  const FlatSurface cube = WithNoise(FlatCube(8), 1e-9);
   const Triangulation& t = cube.surface.triangulation;
   LaidOut result = LayOut(cube);
   EXPECT_GT(result.seams.max_gap, 1e-11);
@@ -199,6 +198,21 @@ TEST(SnapSeams, QuarterTurnsBecomeExact) {
     EXPECT_NEAR(std::remainder(snapped.seams[i].rotation - (*turns)[i] * kPi / 2, 2 * kPi), 0,
                 1e-14);
   }
+}
+
+TEST(SnapSeams, SixthTurnsBecomeExact) {
+  const FlatSurface octahedron = WithNoise(FlatOctahedron(7), 1e-9);
+  ASSERT_EQ(octahedron.cones.size(), 6u);
+  const Triangulation& t = octahedron.surface.triangulation;
+  const LaidOut result = LayOut(octahedron);
+  const auto turns = IntegerRotations(t, result.seams, 6, 1e-6);
+  ASSERT_TRUE(turns.ok()) << turns.status().message();
+  CornerUv uv = result.layout.uv;
+  EXPECT_LT(SnapSeams(t, result.cut, result.seams, *turns, 6, &uv), 1e-6);
+  const SeamReport snapped = MeasureSeams(t, result.cut, octahedron.cones, octahedron.angles, uv);
+  EXPECT_GT(result.seams.max_gap, 1e-11);
+  EXPECT_LT(snapped.max_gap, 1e-14);
+  EXPECT_TRUE(FlippedFaces(t, uv).empty());
 }
 
 TEST(SnapSeams, AnAngleThatIsNoMultipleIsNamed) {
@@ -219,7 +233,7 @@ TEST(PoissonLayout, EqualsDirectionsOnExactAngles) {
 }
 
 TEST(PoissonLayout, SpreadsErrorsOfAngles) {
-  const FlatSurface cube = NoisyCube(1e-6);
+  const FlatSurface cube = WithNoise(FlatCube(8), 1e-6);
   const Triangulation& t = cube.surface.triangulation;
   const Cut cut = *CutGraph(t, cube.lengths.value, cube.cones);
   const double by_tree = LayOutPatches(t, cube.angles, cube.lengths, cut).closure;
