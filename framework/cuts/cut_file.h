@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cirque/core/cut.h"
+#include "cirque/core/status.h"
+#include "cirque/mesh/surface.h"
+
+namespace cirque {
+
+/// The numbers that vertices and faces bear in the mesh file, counted from 0. Triangles that were
+/// split off one polygon bear its number; numbers of faces do not decrease.
+struct FileNumbers {
+  std::vector<Index> vertex, face;
+};
+
+FileNumbers NumbersInFile(const Surface& surface);
+
+/// Of a triangulation that is a file of its own (CON).
+FileNumbers OwnNumbers(const Triangulation& triangulation);
+
+/// The edge-cut file of Kharevych's thesis: a line `from to face` for every opened edge: the edge
+/// from vertex `from` to vertex `to` of `face`, which lies to its left. The face tells edges apart
+/// that join the same vertices, as in a CON file. Vertices and faces are counted from 1, as in an
+/// OBJ file. A face to the right of the edge is understood where none on the left is meant (the
+/// file's faces may be oriented either way). '#' begins a comment, empty lines are skipped.
+/// Errors (invalid input), each with file:line: not three whole numbers, a vertex or face that does
+/// not exist, a face without that edge, an edge given twice, a boundary edge.
+StatusOr<Cut> ParseCut(const std::string& path, std::string_view text,
+                       const Triangulation& triangulation, const FileNumbers& numbers);
+
+StatusOr<Cut> ReadCutFile(const std::string& path, const Triangulation& triangulation,
+                          const FileNumbers& numbers);
+
+/// The text of such a file.
+std::string FormatCut(const Triangulation& triangulation, const FileNumbers& numbers,
+                      const Cut& cut);
+
+/// Writes the file whole or not at all.
+Status WriteCutFile(const std::string& path, const Triangulation& triangulation,
+                    const FileNumbers& numbers, const Cut& cut);
+
+}  // namespace cirque

@@ -1,0 +1,173 @@
+#include "cirque/cuts/cut_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include "cirque/core/text.h"
+#include "cirque/cuts/edge_graph.h"
+#include "cirque/cuts/shortest_path.h"
+#include "cirque/mesh/disjoint_sets.h"
+
+namespace cirque {
+namespace {
+
+/// Opens the path from a node to its source, as far as it is not open yet.
+void OpenPath(const EdgeGraph& graph, const ShortestPathForest& forest, Index node, Cut* cut) {
+  while (forest.edge[node] != kNone && !cut->edge[forest.edge[node]]) {
+    const Index e = forest.edge[node];
+    cut->edge[e] = true;
+    node = graph.Across(e, node);
+  }
+}
+
+/// Contracts every boundary loop, and the cut, to a node.
+std::vector<Index> ContractLoopsAndCut(const Triangulation& t, const Cut& cut) {
+  DisjointSets sets(t.num_vertices);
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    if (t.IsBoundaryEdge(e) || cut.edge[e]) sets.Unite(t.Tail(h), t.Tip(h));
+  }
+  std::vector<Index> node(t.num_vertices);
+  for (Index v = 0; v < t.num_vertices; ++v) node[v] = sets.Find(v);
+  return node;
+}
+
+/// The edges among `edges` in the order of the length of the loop, or path between two sources,
+/// that each closes.
+std::vector<Index> SortByPathLength(const EdgeGraph& graph, const Eigen::VectorXd& cost,
+                                    const ShortestPathForest& forest, std::vector<Index> edges) {
+  const auto length = [&](Index e) {
+    const auto [a, b] = graph.Ends(e);
+    return forest.distance[a] + cost[e] + forest.distance[b];
+  };
+  std::vector<std::pair<double, Index>> keyed;
+  keyed.reserve(edges.size());
+  for (const Index e : edges) keyed.emplace_back(length(e), e);
+  std::sort(keyed.begin(), keyed.end());
+  std::transform(keyed.begin(), keyed.end(), edges.begin(), [](const auto& k) { return k.second; });
+  return edges;
+}
+
+/// The edges neither in the tree nor in a maximum spanning tree of the dual: two a handle.
+std::vector<Index> HandleEdges(const Triangulation& t, const EdgeGraph& graph,
+                               const Eigen::VectorXd& cost, const ShortestPathForest& tree) {
+  std::vector<bool> in_tree(t.num_edges(), false);
+  for (const Index e : tree.edge) {
+    if (e != kNone) in_tree[e] = true;
+  }
+  std::vector<Index> candidates;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (!in_tree[e] && !t.IsBoundaryEdge(e)) candidates.push_back(e);
+  }
+  candidates = SortByPathLength(graph, cost, tree, std::move(candidates));
+  DisjointSets faces(t.num_faces());
+  std::vector<Index> left_over;
+  for (auto e = candidates.rbegin(); e != candidates.rend(); ++e) {
+    const Index h = t.edge_halfedge[*e];
+    const Index a = Triangulation::Face(h), b = Triangulation::Face(t.twin[h]);
+    if (faces.Find(a) == faces.Find(b)) {
+      left_over.push_back(*e);
+    } else {
+      faces.Unite(a, b);
+    }
+  }
+  return left_over;
+}
+
+/// Closes the branch of the cut that ends, without need, at the node.
+void PruneBranch(const EdgeGraph& graph, Index node, Cut* cut) {
+  while (true) {
+    Index ends = 0, last = kNone;
+    graph.ForEachEdgeAt(node, [&](Index e) {
+      if (!cut->edge[e]) return;
+      ++ends;
+      last = e;
+    });
+    if (ends != 1) return;
+    cut->edge[last] = false;
+    node = graph.Across(last, node);
+  }
+}
+
+/// Opens the handles of a surface whose boundary loops count as points.
+void OpenHandles(const Triangulation& t, const Eigen::VectorXd& cost, Index root_vertex, Cut* cut) {
+  const EdgeGraph graph(t, ContractLoopsAndCut(t, *cut));
+  const Index root = graph.Node(root_vertex);
+  const ShortestPathForest tree = GrowShortestPaths(graph, cost, {root});
+  for (const Index e : HandleEdges(t, graph, cost, tree)) {
+    cut->edge[e] = true;
+    for (const Index n : graph.Ends(e)) OpenPath(graph, tree, n, cut);
+  }
+  PruneBranch(graph, root, cut);
+}
+
+/// The nodes that the cut has to join: loops, cones and the cut so far.
+std::vector<Index> Terminals(const Triangulation& t, const EdgeGraph& graph,
+                             const std::vector<Index>& cones, const Cut& cut) {
+  std::vector<Index> terminals;
+  for (const Index v : cones) terminals.push_back(graph.Node(v));
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (t.IsBoundaryEdge(e) || cut.edge[e]) terminals.push_back(graph.Ends(e)[0]);
+  }
+  std::sort(terminals.begin(), terminals.end());
+  terminals.erase(std::unique(terminals.begin(), terminals.end()), terminals.end());
+  return terminals;
+}
+
+/// Joins the terminals by a minimum spanning tree of the shortest paths between them.
+void JoinTerminals(const EdgeGraph& graph, const Eigen::VectorXd& cost,
+                   const std::vector<Index>& terminals, Cut* cut) {
+  const ShortestPathForest forest = GrowShortestPaths(graph, cost, terminals);
+  const auto sources = [&](Index e) {
+    return std::pair(forest.source[graph.Ends(e)[0]], forest.source[graph.Ends(e)[1]]);
+  };
+  std::vector<Index> bridges;
+  for (Index e = 0; e < graph.num_edges(); ++e) {
+    if (sources(e).first != sources(e).second) bridges.push_back(e);
+  }
+  DisjointSets joined(graph.num_nodes());
+  for (const Index e : SortByPathLength(graph, cost, forest, std::move(bridges))) {
+    const auto [a, b] = sources(e);
+    if (joined.Find(a) == joined.Find(b)) continue;
+    joined.Unite(a, b);
+    cut->edge[e] = true;
+    for (const Index n : graph.Ends(e)) OpenPath(graph, forest, n, cut);
+  }
+}
+
+Status RequireCones(const Triangulation& t, const std::vector<Index>& cones) {
+  std::vector<int> unknown;
+  for (const Index v : cones) {
+    if (v < 0 || v >= t.num_vertices) unknown.push_back(v);
+  }
+  if (unknown.empty()) return Status();
+  return Status::InvalidInput(
+      fmt::format("cones at vertices {} (0-based), but the surface has {} vertices",
+                  IdList(unknown), t.num_vertices));
+}
+
+}  // namespace
+
+StatusOr<Cut> CutGraph(const Triangulation& t, const Eigen::VectorXd& edge_cost,
+                       const std::vector<Index>& cones) {
+  CHECK_EQ(edge_cost.size(), t.num_edges());
+  if (Status s = RequireCones(t, cones); !s.ok()) return s;
+  Cut cut = {std::vector<bool>(t.num_edges(), false)};
+  const auto loops = static_cast<Index>(BoundaryLoops(t).size());
+  const bool has_handles = EulerCharacteristic(t) + loops < 2;
+  if (has_handles) OpenHandles(t, edge_cost, cones.empty() ? 0 : cones.front(), &cut);
+  const EdgeGraph graph(t, ContractLoopsAndCut(t, cut));
+  const std::vector<Index> terminals = Terminals(t, graph, cones, cut);
+  if (loops == 0 && !has_handles && terminals.size() < 2) {
+    return Status::InvalidInput(
+        "a sphere without at least two cones cannot be cut to a disk through its cones: give cones "
+        "(a flat metric needs three), or remove a face");
+  }
+  JoinTerminals(graph, edge_cost, terminals, &cut);
+  return cut;
+}
+
+}  // namespace cirque

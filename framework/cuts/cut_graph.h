@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/core/cut.h"
+#include "cirque/core/status.h"
+
+namespace cirque {
+
+/// A short cut that opens a connected surface to one disk with all cones on its boundary: of any
+/// genus, with any number of boundary loops, closed ones too. No branch of it ends anywhere but in
+/// a cone or on the boundary. Empty for a disk without cones.
+///
+/// Handles: tree and cotree (J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology
+/// generators", SODA 2005): a shortest-path tree, a maximum spanning tree of the dual by the length
+/// of the loop that an edge closes, and the 2 g edges in neither with their paths to the root.
+/// Loops and cones are then joined to that and to one another by a minimum spanning tree of
+/// shortest paths between them (K. Mehlhorn, "A faster approximation algorithm for the Steiner
+/// problem in graphs", 1988: at most twice the shortest tree). Boundary loops count as points, so
+/// walking along them is free. O(E log E).
+///
+/// `edge_cost`: one an edge, finite and >= 0 (edge lengths, for instance). `cones`: vertices, in
+/// any order, repeated or on the boundary too. Errors (invalid input): a cone that does not exist;
+/// a sphere with fewer than two cones, which no cut through them opens.
+StatusOr<Cut> CutGraph(const Triangulation& triangulation, const Eigen::VectorXd& edge_cost,
+                       const std::vector<Index>& cones);
+
+}  // namespace cirque
