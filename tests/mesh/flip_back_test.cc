@@ -32,7 +32,7 @@ TEST(FlipBack, RestoresAFlatMeshExactly) {
       testing::Scramble({patch.triangulation, MeasureEdgeLengths(patch)}, 1000, 1);
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(input.triangulation, input.lengths);
   ASSERT_GT(delaunay.flips.size(), 100);
-  ExpectRestored(input, FlipBack(delaunay, delaunay.lengths), 1e-10);
+  ExpectRestored(input, FlipBack(delaunay, delaunay.lengths), 1e-12);
 }
 
 TEST(FlipBack, RestoresEverySurfaceInItsOwnMetric) {
@@ -44,7 +44,7 @@ TEST(FlipBack, RestoresEverySurfaceInItsOwnMetric) {
     const IntrinsicTriangulation delaunay =
         MakeIntrinsicDelaunay(input.triangulation, input.lengths);
     ASSERT_GT(delaunay.flips.size(), 30);
-    ExpectRestored(input, FlipBack(delaunay, delaunay.lengths), 1e-10);
+    ExpectRestored(input, FlipBack(delaunay, delaunay.lengths), 1e-12);
   }
 }
 
@@ -129,7 +129,7 @@ TEST(FlipBack, WhatDependsOnAStuckEdgeStaysTooAndAllOfItIsListed) {
   for (Index e = 0; e < u.num_edges(); ++e) {
     const Index h = u.edge_halfedge[e];
     if (inputs.count(std::minmax(u.Tail(h), u.Tip(h))) == 0) strangers.push_back(e);
-    EXPECT_NEAR(back.lengths.value[e], (at[u.Tip(h)] - at[u.Tail(h)]).norm(), 1e-10);
+    EXPECT_NEAR(back.lengths.value[e], (at[u.Tip(h)] - at[u.Tail(h)]).norm(), 1e-12);
   }
   EXPECT_EQ(back.stuck, strangers);
   EXPECT_GT(back.stuck.size(), 5);
