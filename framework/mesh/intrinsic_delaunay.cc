@@ -138,6 +138,18 @@ IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeL
   return result;
 }
 
+ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
+                            const Triangulation& other) {
+  CHECK_EQ(input.num_vertices, other.num_vertices);
+  const std::vector<Index> before = CornersPerVertex(input), after = CornersPerVertex(other);
+  ConeTargets transferred = targets;
+  for (Index v = 0; v < input.num_vertices; ++v) {
+    const bool is_free = targets.lower[v] <= 0 && targets.upper[v] >= kPi * before[v];
+    if (is_free) transferred.upper[v] = kPi * after[v];
+  }
+  return transferred;
+}
+
 std::vector<Index> NonDelaunayEdges(const Triangulation& t, const EdgeLengths& lengths) {
   const FlipComplex complex(t, lengths);
   std::vector<Index> edges;

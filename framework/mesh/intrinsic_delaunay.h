@@ -42,6 +42,12 @@ IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& triangulation,
                                              const EdgeLengths& lengths,
                                              const IntrinsicDelaunayOptions& options = {});
 
+/// Targets of `input` for another triangulation of the same vertices. Flips change the numbers of
+/// corners, and with them the interval [0, pi * corners] that leaves a vertex free: free vertices
+/// stay free, every other interval stays as it is.
+ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
+                            const Triangulation& other);
+
 /// tan^2(alpha_l / 2) tan^2(alpha_r / 2) may exceed 1 by this much.
 inline constexpr double kDelaunayTolerance = 1e-10;
 

@@ -195,6 +195,24 @@ TEST(IntrinsicDelaunay, GuardsTheLeastNumberOfCorners) {
   }
 }
 
+TEST(IntrinsicDelaunay, FreeVerticesStayFreeWhenTheirCornersChange) {
+  const IntrinsicMesh mesh =
+      testing::Scramble(Intrinsic(GeneratedSurface("bumpy_terrain", 800)), 500, 8);
+  const Triangulation& input = mesh.triangulation;
+  ConeTargets targets = FreeBoundaryTargets(input);
+  const Index corner = input.vertex[Triangulation::Next(BoundaryLoops(input)[0][0])];
+  targets.lower[corner] = 1;
+  targets.upper[corner] = 2;
+  const Triangulation output = Delaunay(mesh).triangulation;
+  const ConeTargets plain = FreeBoundaryTargets(output);
+  ASSERT_NE(plain.upper, FreeBoundaryTargets(input).upper);
+  const ConeTargets transferred = TransferTargets(input, targets, output);
+  for (Index v = 0; v < output.num_vertices; ++v) {
+    EXPECT_EQ(transferred.lower[v], v == corner ? 1 : plain.lower[v]);
+    EXPECT_EQ(transferred.upper[v], v == corner ? 2 : plain.upper[v]);
+  }
+}
+
 TEST(IntrinsicDelaunay, SharpSpikeOfOneCornerIsAFaceGluedToItself) {
   const IntrinsicMesh mesh = Spike();
   ConeTargets targets = FreeBoundaryTargets(mesh.triangulation);
