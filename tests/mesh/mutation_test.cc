@@ -14,6 +14,7 @@
 #include "cirque/mesh/preflight.h"
 
 #include "tests/mesh/meshes.h"
+#include "tests/mesh/mutate.h"
 
 namespace cirque {
 namespace {
@@ -52,31 +53,6 @@ std::string BinaryPly() {
   return bytes;
 }
 
-/// Overwrites, inserts, deletes or cuts at random places; new bytes prefer what means something.
-std::string Mutate(std::string bytes, std::mt19937* random) {
-  const std::string telling = "0123456789-+.e/\\#\n\r\t fv\xff";
-  const auto below = [&](std::size_t n) { return n == 0 ? 0 : (*random)() % n; };
-  for (std::size_t n = 1 + below(3); n > 0; --n) {
-    const std::size_t at = below(bytes.size());
-    const char byte =
-        below(2) != 0 ? telling[below(telling.size())] : static_cast<char>(below(256));
-    switch (below(8)) {
-      case 0:
-        bytes.resize(at);
-        break;
-      case 1:
-        bytes.insert(at, 1 + below(4), byte);
-        break;
-      case 2:
-        bytes.erase(at, 1 + below(4));
-        break;
-      default:
-        if (!bytes.empty()) bytes[at] = byte;
-    }
-  }
-  return bytes;
-}
-
 /// Returns whether it was a mesh.
 bool ExpectAMeshOrAMessage(const std::string& path) {
   const StatusOr<PolygonSoup> soup = ReadMesh(path);
@@ -100,7 +76,7 @@ void MutateManyTimes(const std::string& extension, const std::string& valid) {
   constexpr int kRounds = 1500;
   int meshes = 0;
   for (int round = 0; round < kRounds; ++round) {
-    ASSERT_TRUE(WriteFileAtomically(path, Mutate(valid, &random)).ok());
+    ASSERT_TRUE(WriteFileAtomically(path, testing::Mutate(valid, &random)).ok());
     meshes += ExpectAMeshOrAMessage(path) ? 1 : 0;
   }
   // Both outcomes were met.

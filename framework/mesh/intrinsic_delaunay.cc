@@ -1,0 +1,164 @@
+#include "cirque/mesh/intrinsic_delaunay.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <glog/logging.h>
+
+#include "cirque/mesh/flip_complex.h"
+
+namespace cirque {
+namespace {
+
+constexpr std::int64_t kMaxFlipsPerEdge = 100;
+constexpr double kSpareCorner = 0.01;  // of a corner's pi
+
+bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
+
+class DelaunayFlipper {
+ public:
+  DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths,
+                  const IntrinsicDelaunayOptions& options)
+      : complex_(t, lengths),
+        locked_(options.locked),
+        corners_(CornersPerVertex(t)),
+        least_corners_(LeastCorners(options.targets ? *options.targets : FreeBoundaryTargets(t))),
+        flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
+
+  void Run() {
+    for (Index h = 0; h < complex_.num_halfedges(); ++h) {
+      if (complex_.twin(h) > h) FlipFrom(h);
+    }
+    // A vertex at its least number of corners may have gained some since.
+    std::size_t flips_before = 0;
+    while (!guarded_.empty() && flips_before != flips_.size()) {
+      flips_before = flips_.size();
+      for (const Index h : std::exchange(guarded_, {})) FlipFrom(h);
+    }
+  }
+
+  const FlipComplex& complex() const { return complex_; }
+  std::vector<Index> TakeFlips() && { return std::move(flips_); }
+
+ private:
+  void FlipFrom(Index seed) {
+    pending_.push_back(seed);
+    while (!pending_.empty()) {
+      const Index h = pending_.back();
+      pending_.pop_back();
+      if (IsCandidate(h)) TryFlip(h);
+    }
+  }
+
+  bool IsCandidate(Index h) const {
+    const Index g = complex_.twin(h);
+    if (g == kNone || Triangulation::Face(g) == Triangulation::Face(h)) return false;
+    return ViolatesDelaunay(complex_.DelaunayRatio(h)) && !IsLocked(h);
+  }
+
+  bool IsLocked(Index h) const {
+    return !locked_.empty() && complex_.label(h) != kNone && locked_[complex_.label(h)];
+  }
+
+  void TryFlip(Index h) {
+    const std::optional<double> length = complex_.OtherDiagonal(h);
+    if (!length || ViolatesDelaunay(complex_.RatioAfterFlip(h, *length)) || flips_left_ == 0) {
+      return;
+    }
+    if (!MoveCorners(h)) {
+      guarded_.push_back(h);
+      return;
+    }
+    complex_.Flip(h, *length, kNone);
+    flips_.push_back(h);
+    --flips_left_;
+    for (const Index side : {h, complex_.twin(h)}) {
+      pending_.push_back(Triangulation::Next(side));
+      pending_.push_back(Triangulation::Prev(side));
+    }
+  }
+
+  /// Counts the corners after the flip; leaves the counts alone when it must not happen. The four
+  /// vertices need not be different.
+  bool MoveCorners(Index h) {
+    const Index g = complex_.twin(h);
+    const Index tail = complex_.vertex(Triangulation::Next(h));
+    const Index tip = complex_.vertex(Triangulation::Prev(h));
+    const auto add = [&](Index to_ends, Index to_apexes) {
+      corners_[tail] += to_ends;
+      corners_[tip] += to_ends;
+      corners_[complex_.vertex(h)] += to_apexes;
+      corners_[complex_.vertex(g)] += to_apexes;
+    };
+    add(-1, 1);
+    const bool enough =
+        corners_[tail] >= least_corners_[tail] && corners_[tip] >= least_corners_[tip];
+    if (!enough) add(1, -1);
+    return enough;
+  }
+
+  FlipComplex complex_;  // labels: the input's edges, kNone for later ones
+  const std::vector<bool>& locked_;
+  std::vector<Index> corners_, least_corners_;
+  std::vector<Index> pending_, guarded_;
+  std::vector<Index> flips_;
+  std::int64_t flips_left_;
+};
+
+}  // namespace
+
+std::vector<Index> LeastCorners(const ConeTargets& targets) {
+  std::vector<Index> least;
+  least.reserve(targets.lower.size());
+  for (const double lower : targets.lower) {
+    least.push_back(static_cast<Index>(std::floor(lower / kPi + kSpareCorner)) + 1);
+  }
+  return least;
+}
+
+IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeLengths& lengths,
+                                             const IntrinsicDelaunayOptions& options) {
+  CHECK_EQ(lengths.value.size(), t.num_edges());
+  CHECK(options.locked.empty() || options.locked.size() == t.edge_halfedge.size());
+  DelaunayFlipper flipper(t, lengths, options);
+  flipper.Run();
+  IntrinsicTriangulation result;
+  const FlipComplex& complex = flipper.complex();
+  result.triangulation = complex.MakeTriangulation(t.num_vertices);
+  result.lengths = complex.MakeLengths(result.triangulation);
+  result.edge_of_input.assign(t.num_edges(), kNone);
+  for (Index h = 0; h < complex.num_halfedges(); ++h) {
+    if (complex.label(h) != kNone) {
+      result.edge_of_input[complex.label(h)] = result.triangulation.edge[h];
+    }
+  }
+  result.flips = std::move(flipper).TakeFlips();
+  return result;
+}
+
+ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
+                            const Triangulation& other) {
+  CHECK_EQ(input.num_vertices, other.num_vertices);
+  const std::vector<Index> before = CornersPerVertex(input), after = CornersPerVertex(other);
+  ConeTargets transferred = targets;
+  for (Index v = 0; v < input.num_vertices; ++v) {
+    const bool is_free = targets.lower[v] <= 0 && targets.upper[v] >= kPi * before[v];
+    if (is_free) transferred.upper[v] = kPi * after[v];
+  }
+  return transferred;
+}
+
+std::vector<Index> NonDelaunayEdges(const Triangulation& t, const EdgeLengths& lengths) {
+  const FlipComplex complex(t, lengths);
+  std::vector<Index> edges;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (!t.IsBoundaryEdge(e) && ViolatesDelaunay(complex.DelaunayRatio(t.edge_halfedge[e]))) {
+      edges.push_back(e);
+    }
+  }
+  return edges;
+}
+
+}  // namespace cirque

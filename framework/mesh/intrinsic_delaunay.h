@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
+
+namespace cirque {
+
+/// Another triangulation of the same intrinsic metric with the same vertices, reached from an input
+/// triangulation by edge flips. Faces and halfedges keep the input's slots: face f of the one is
+/// not face f of the other, yet undoing the flips in reverse order restores the input's arrays.
+struct IntrinsicTriangulation {
+  Triangulation triangulation;
+  EdgeLengths lengths;
+  /// The flips in order: the halfedge that was turned counter-clockwise (FlipComplex::Flip), in the
+  /// numbering that holds before, during and after.
+  std::vector<Index> flips;
+  /// For every edge of the input the edge of `triangulation` that it still is, kNone when it was
+  /// flipped away.
+  std::vector<Index> edge_of_input;
+};
+
+struct IntrinsicDelaunayOptions {
+  /// No flip leaves a vertex with fewer corners than its target needs: Theta_v < corners * pi.
+  /// Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets).
+  const ConeTargets* targets = nullptr;
+  /// Per edge of the input whether it must stay; empty: none must.
+  std::vector<bool> locked;
+};
+
+/// Flips edges until every edge is Delaunay (the opposite angles add up to at most pi) or must not
+/// be flipped: locked, of a vertex at its least number of corners (interior and flat: 3, boundary
+/// and free: 1), or with the same face on both sides. Works on the lengths alone (A. Bobenko,
+/// B. Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces", 2007; M. Fisher
+/// et al., "An algorithm for the construction of intrinsic Delaunay triangulations", 2007).
+///
+/// Ends always: an edge that rounding cannot tell from Delaunay stays (kDelaunayTolerance), and so
+/// does one whose other diagonal is not better; flips are bounded by 100 per edge.
+/// Lengths must be positive and satisfy the triangle inequality.
+IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& triangulation,
+                                             const EdgeLengths& lengths,
+                                             const IntrinsicDelaunayOptions& options = {});
+
+/// Targets of `input` for another triangulation of the same vertices. Flips change the numbers of
+/// corners, and with them the interval [0, pi * corners] that leaves a vertex free: free vertices
+/// stay free, every other interval stays as it is.
+ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
+                            const Triangulation& other);
+
+/// tan^2(alpha_l / 2) tan^2(alpha_r / 2) may exceed 1 by this much.
+inline constexpr double kDelaunayTolerance = 1e-10;
+
+/// The interior edges that are not Delaunay, in increasing order.
+std::vector<Index> NonDelaunayEdges(const Triangulation& triangulation, const EdgeLengths& lengths);
+
+/// The least number of corners with which each vertex can reach its target: lower_v < corners * pi,
+/// with 1 % of pi to spare.
+std::vector<Index> LeastCorners(const ConeTargets& targets);
+
+}  // namespace cirque

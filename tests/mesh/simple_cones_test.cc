@@ -1,0 +1,175 @@
+#include "cirque/mesh/simple_cones.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/core/gauss_bonnet.h"
+#include "cirque/mesh/farthest_vertices.h"
+#include "cirque/mesh/io.h"
+#include "cirque/mesh/preflight.h"
+
+#include "tests/common/paths.h"
+#include "tests/common/surfaces.h"
+#include "tests/mesh/meshes.h"
+
+namespace cirque {
+namespace {
+
+std::vector<Index> ConesOf(const ConeTargets& targets) {
+  std::vector<Index> cones;
+  for (Index v = 0; v < static_cast<Index>(targets.lower.size()); ++v) {
+    if (targets.lower[v] != 2 * kPi || targets.upper[v] != 2 * kPi) cones.push_back(v);
+  }
+  return cones;
+}
+
+void ExpectValid(const Triangulation& t, const ConeTargets& targets) {
+  const GaussBonnetDefect defect = MeasureGaussBonnetDefect(t, targets);
+  EXPECT_EQ(defect.lower, 0);
+  EXPECT_EQ(defect.upper, 0);
+  const std::vector<Index> corners = CornersPerVertex(t);
+  for (const Index v : ConesOf(targets)) {
+    EXPECT_GT(targets.lower[v], 0);
+    EXPECT_LE(targets.lower[v], kPi * (corners[v] - 0.5));
+  }
+}
+
+TEST(SimpleCones, ObeyGaussBonnetExactlyOnEveryGenus) {
+  const std::pair<const char*, std::size_t> kTable[] = {
+      {"sphere", 8}, {"blob", 8}, {"torus", 0}, {"double_torus", 8}};
+  for (const auto& [name, cones] : kTable) {
+    SCOPED_TRACE(name);
+    const Surface surface = GeneratedSurface(name, 2000);
+    const EdgeLengths lengths = MeasureEdgeLengths(surface);
+    const StatusOr<ConeTargets> targets = SimpleConeTargets(surface.triangulation, lengths);
+    ASSERT_TRUE(targets.ok()) << targets.status().message();
+    EXPECT_EQ(ConesOf(*targets).size(), cones);
+    ExpectValid(surface.triangulation, *targets);
+    EXPECT_EQ(SimpleConeTargets(surface.triangulation, lengths)->lower, targets->lower);
+  }
+}
+
+TEST(SimpleCones, LieApartAndWhereTheSurfaceIsCurvedTheirWay) {
+  const Surface torus = GeneratedSurface("double_torus", 4000);
+  const Triangulation& t = torus.triangulation;
+  const ConeTargets targets = *SimpleConeTargets(t, MeasureEdgeLengths(torus));
+  const CornerAngles angles = AnglesOf(torus);
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  const std::vector<Index> cones = ConesOf(targets);
+  for (const Index v : cones) {
+    EXPECT_GT(sum[v], 2 * kPi);
+    for (const Index w : cones) {
+      EXPECT_TRUE(v == w || (torus.position[v] - torus.position[w]).norm() > 0.3);
+    }
+  }
+}
+
+TEST(SimpleCones, SmallSurfacesGetFewerAndStrongerOnes) {
+  PreflightReport report;
+  const Surface tetrahedron = *Preflight(testing::Tetrahedron(), &report);
+  const StatusOr<ConeTargets> targets =
+      SimpleConeTargets(tetrahedron.triangulation, MeasureEdgeLengths(tetrahedron));
+  ASSERT_TRUE(targets.ok());
+  EXPECT_EQ(targets->lower, std::vector<double>(4, kPi));
+  ExpectValid(tetrahedron.triangulation, *targets);
+}
+
+TEST(SimpleCones, SurfacesWithABoundaryNeedNone) {
+  const Surface ring = GeneratedSurface("annulus", 500);
+  const ConeTargets plain = FreeBoundaryTargets(ring.triangulation);
+  const StatusOr<ConeTargets> targets =
+      SimpleConeTargets(ring.triangulation, MeasureEdgeLengths(ring));
+  EXPECT_EQ(targets->lower, plain.lower);
+  EXPECT_EQ(targets->upper, plain.upper);
+}
+
+TEST(SimpleCones, ASingleVertexOfGenusTwoIsOneLargeCone) {
+  // The octagon with sides a b a' b' c d c' d' joined, as a fan of its first corner: one vertex of
+  // 18 corners, which must carry the curvature -4 pi.
+  std::vector<Index> twin(18, kNone);
+  std::vector<Index> octagon(8);
+  // Triangle i has corners 0, i + 1, i + 2; its side 0 is side i + 1 of the octagon.
+  for (Index i = 0; i < 6; ++i) {
+    octagon[i + 1] = 3 * i;
+    if (i > 0) {
+      twin[3 * i + 2] = 3 * (i - 1) + 1;
+      twin[3 * (i - 1) + 1] = 3 * i + 2;
+    }
+  }
+  octagon[0] = 2;
+  octagon[7] = 3 * 5 + 1;
+  for (const Index i : {0, 1, 4, 5}) {
+    twin[octagon[i]] = octagon[i + 2];
+    twin[octagon[i + 2]] = octagon[i];
+  }
+  const Triangulation t = NumberEdges(1, std::vector<Index>(18, 0), twin);
+  ASSERT_EQ(EulerCharacteristic(t), -2);
+  const StatusOr<ConeTargets> targets =
+      SimpleConeTargets(t, {Eigen::VectorXd::Ones(t.num_edges())});
+  ASSERT_TRUE(targets.ok()) << targets.status().message();
+  EXPECT_EQ(targets->lower[0], 6 * kPi);
+  ExpectValid(t, *targets);
+}
+
+TEST(SimpleCones, SaysWhenThereAreTooFewVertices) {
+  // Genus 3 on one vertex would need a cone of 10 pi, more than the simple ones.
+  std::vector<Index> twin(30, kNone), polygon(12);
+  for (Index i = 0; i < 10; ++i) {
+    polygon[i + 1] = 3 * i;
+    if (i > 0) {
+      twin[3 * i + 2] = 3 * (i - 1) + 1;
+      twin[3 * (i - 1) + 1] = 3 * i + 2;
+    }
+  }
+  polygon[0] = 2;
+  polygon[11] = 3 * 9 + 1;
+  for (const Index i : {0, 1, 4, 5, 8, 9}) {
+    twin[polygon[i]] = polygon[i + 2];
+    twin[polygon[i + 2]] = polygon[i];
+  }
+  const Triangulation t = NumberEdges(1, std::vector<Index>(30, 0), twin);
+  ASSERT_EQ(EulerCharacteristic(t), -4);
+  const StatusOr<ConeTargets> targets =
+      SimpleConeTargets(t, {Eigen::VectorXd::Ones(t.num_edges())});
+  ASSERT_FALSE(targets.ok());
+  EXPECT_THAT(targets.status().message(), ::testing::HasSubstr("the curvature -8 pi"));
+}
+
+TEST(FarthestVertices, OfAHexagonalPyramid) {
+  const Surface pyramid = Fan(6, 1);
+  const std::vector<Index> all = {1, 0, 2, 3, 4, 5, 6};
+  const std::vector<Index> chosen =
+      FarthestVertices(pyramid.triangulation, MeasureEdgeLengths(pyramid), all, 7);
+  EXPECT_EQ(chosen[0], 1);
+  EXPECT_EQ(chosen[1], 4);  // sqrt(8) away over the apex
+  EXPECT_EQ(chosen[2], 0);  // sqrt(2) away from both, the others 1 from one of them
+  std::vector<Index> sorted = chosen;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, (std::vector<Index>{0, 1, 2, 3, 4, 5, 6}));
+}
+
+TEST(SimpleCones, ExistOnTheClosedSharedMeshesSlow) {
+  for (const std::string name : {"d-fertility-closed", "bff-kitten", "gpjs-double-torus",
+                                 "cid-aircraft", "cgal-cheese", "gpjs-gargoyle"}) {
+    SCOPED_TRACE(name);
+    const StatusOr<PolygonSoup> soup = ReadMesh(ProjectPath("../shared/meshes/" + name + ".obj"));
+    if (!soup.ok()) GTEST_SKIP() << soup.status().message();
+    PreflightReport report;
+    const StatusOr<Surface> surface = Preflight(*soup, &report);
+    ASSERT_TRUE(surface.ok()) << surface.status().message();
+    const StatusOr<ConeTargets> targets =
+        SimpleConeTargets(surface->triangulation, MeasureEdgeLengths(*surface));
+    ASSERT_TRUE(targets.ok()) << targets.status().message();
+    if (report.boundary_loops == 0) {
+      ExpectValid(surface->triangulation, *targets);
+      EXPECT_EQ(ConesOf(*targets).empty(), report.genus == 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cirque
