@@ -1,0 +1,75 @@
+#include "cirque/mesh/flat_on_input.h"
+
+#include <cmath>
+#include <complex>
+
+#include "cirque/mesh/flip_complex.h"
+
+namespace cirque {
+namespace {
+
+using Vector = std::complex<double>;
+
+double Cross(Vector a, Vector b) { return a.real() * b.imag() - a.imag() * b.real(); }
+
+/// The sides of every face as vectors that add up to zero, each face in a frame of its own.
+std::vector<Vector> SideVectors(const Triangulation& t, const CornerAngles& angles,
+                                const EdgeLengths& lengths) {
+  std::vector<Vector> side(t.num_halfedges());
+  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+    side[h] = lengths.value[t.edge[h]];
+    side[h + 1] = std::polar(lengths.value[t.edge[h + 1]], kPi - angles.value[h + 2]);
+    side[h + 2] = -(side[h] + side[h + 1]);
+  }
+  return side;
+}
+
+/// Undoes FlipComplex::Flip of h on the vectors; g is the twin of h.
+void UnflipVectors(Index h, Index g, std::vector<Vector>* side) {
+  constexpr auto kNext = Triangulation::Next;
+  constexpr auto kPrev = Triangulation::Prev;
+  std::vector<Vector>& v = *side;
+  Vector turn = -v[h] / v[g];  // from the frame of g's face to that of h's
+  turn /= std::abs(turn);
+  const Vector next_h = turn * v[kPrev(g)], prev_h = v[kNext(h)];
+  const Vector next_g = v[kPrev(h)], prev_g = turn * v[kNext(g)];
+  v[kNext(h)] = next_h;
+  v[kPrev(h)] = prev_h;
+  v[h] = -(next_h + prev_h);
+  v[kNext(g)] = next_g;
+  v[kPrev(g)] = prev_g;
+  v[g] = -(next_g + prev_g);
+}
+
+FlatOnInput MeasureFaces(const Triangulation& t, const std::vector<Vector>& side) {
+  FlatOnInput flat;
+  flat.angles.value.resize(t.num_halfedges());
+  flat.lengths.value.resize(t.num_edges());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Vector out = side[Triangulation::Prev(h)], back = -side[Triangulation::Next(h)];
+    flat.angles.value[h] = std::atan2(Cross(out, back), (std::conj(out) * back).real());
+  }
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    flat.lengths.value[e] = std::abs(side[t.edge_halfedge[e]]);
+  }
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    if (!(Cross(side[3 * f], side[3 * f + 1]) > 0)) flat.mirrored.push_back(f);
+  }
+  return flat;
+}
+
+}  // namespace
+
+FlatOnInput ReadOnInput(const Triangulation& input, const IntrinsicTriangulation& intrinsic,
+                        const CornerAngles& flat_angles, const EdgeLengths& flat_lengths) {
+  const Triangulation& t = intrinsic.triangulation;
+  std::vector<Vector> side = SideVectors(t, flat_angles, flat_lengths);
+  FlipComplex complex(t, flat_lengths);
+  for (auto flip = intrinsic.flips.rbegin(); flip != intrinsic.flips.rend(); ++flip) {
+    UnflipVectors(*flip, complex.twin(*flip), &side);
+    complex.Unflip(*flip, 0, kNone);
+  }
+  return MeasureFaces(input, side);
+}
+
+}  // namespace cirque

@@ -1,0 +1,187 @@
+#include "cirque/pipeline/flatten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cirque/angles/angle_fit.h"
+#include "cirque/angles/registry.h"
+#include "cirque/angles/targets.h"
+#include "cirque/core/text.h"
+#include "cirque/core/timer.h"
+#include "cirque/mesh/corner_angles.h"
+#include "cirque/radii/solve_log_radii.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxRounds = 6;  ///< of locking and solving again
+
+/// One surface on its way to a flat metric.
+class Flattening {
+ public:
+  Flattening(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
+             const ParameterizeOptions& options, const SolveControl& control,
+             Certificate* certificate, FlatSurface* result)
+      : input_(input),
+        lengths_(lengths),
+        targets_(targets),
+        options_(options),
+        control_(control),
+        certificate_(*certificate),
+        result_(*result) {}
+
+  Status Run() {
+    if (Status s = CheckTargets(input_, targets_, &certificate_.infeasibility); !s.ok()) return s;
+    if (options_.triangulation == "input") return SolveOnInput();
+    if (options_.triangulation != "delaunay") {
+      return Status::InvalidInput(
+          UnknownName("triangulation", options_.triangulation, {"delaunay", "input"}));
+    }
+    std::vector<bool> locked(input_.num_edges(), false);
+    for (int round = 1; round <= kMaxRounds; ++round) {
+      certificate_.values["delaunay_rounds"] = round;
+      const Status status = SolveOnDelaunay(locked);
+      if (status.ok() && result_.on_input.mirrored.empty()) return status;
+      if (!status.ok() && !MayDoBetterOnInput(status)) return status;
+      if (!status.ok()) break;
+      for (const Index f : result_.on_input.mirrored) {
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) locked[input_.edge[h]] = true;
+      }
+    }
+    return SolveOnInput();
+  }
+
+ private:
+  static bool MayDoBetterOnInput(const Status& status) {
+    return status.code() == StatusCode::kInfeasible || status.code() == StatusCode::kNotConverged;
+  }
+
+  Status SolveOnDelaunay(const std::vector<bool>& locked) {
+    const Timer timer;
+    result_.intrinsic = MakeIntrinsicDelaunay(input_, lengths_, {&targets_, locked});
+    certificate_.seconds["triangulation"] += timer.Seconds();
+    return Solve();
+  }
+
+  Status SolveOnInput() {
+    result_.intrinsic = {input_, lengths_, {}, {}};
+    return Solve();
+  }
+
+  Status Solve() {
+    certificate_.infeasibility = {};
+    Put({{"flips", static_cast<double>(result_.intrinsic.flips.size())}});
+    if (Status s = Timed("angles", &Flattening::FitAngles); !s.ok()) return s;
+    if (Status s = Timed("radii", &Flattening::SolveRadii); !s.ok()) return s;
+    return Timed("layout", &Flattening::ReadBack);
+  }
+
+  Status Timed(const char* stage, Status (Flattening::*step)()) {
+    const Timer timer;
+    Status status = (this->*step)();
+    certificate_.seconds[stage] += timer.Seconds();
+    return status;
+  }
+
+  OptionMap SolverOptions() const {
+    return {{"max_iterations", std::to_string(options_.max_iterations)}};
+  }
+
+  const Triangulation& t() const { return result_.intrinsic.triangulation; }
+
+  Status FitAngles() {
+    const auto objective = AngleObjectives().Find(options_.angle_fit);
+    if (!objective.ok()) return objective.status();
+    const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
+    if (!method.ok()) return method.status();
+    const ConeTargets targets = TransferTargets(input_, targets_, t());
+    const AngleConstraints constraints(t(), targets);
+    const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
+    AngleFitResult fit;
+    Status status = cirque::FitAngles({constraints, reference.value, options_.epsilon}, *objective,
+                                      **method, control_, &fit);
+    certificate_.infeasibility = std::move(fit.infeasibility);
+    Record("angle", fit.solve);
+    Put({{"smallest_angle", fit.kkt.smallest_angle},
+         {"smallest_theta", fit.kkt.smallest_theta},
+         {"epsilon", fit.angles.epsilon},
+         {"triangle_sum_residual", fit.kkt.triangle_sum_residual},
+         {"vertex_sum_residual", fit.kkt.vertex_sum_residual},
+         {"angle_primal", fit.kkt.primal},
+         {"angle_dual", fit.kkt.dual},
+         {"angle_gap", fit.kkt.RelativeGap()}});
+    result_.angles = std::move(fit.angles);
+    return status;
+  }
+
+  Status SolveRadii() {
+    const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
+    if (!strategy.ok()) return strategy.status();
+    LogRadiiResult radii;
+    Status status = SolveLogRadii(t(), result_.angles, **strategy, control_, &radii);
+    Record("radii", radii.solve);
+    certificate_.values["radii_factorizations"] += radii.start_iterations;
+    const Eigen::VectorXd& rho = radii.log_radii.value;
+    Put({{"radii_gradient", radii.gradient_max},
+         {"radii_primal", radii.energy},
+         {"radii_dual", radii.dual_energy},
+         {"radii_gap", radii.RelativeGap()},
+         {"log_radius_range", rho.maxCoeff() - rho.minCoeff()}});
+    result_.log_radii = std::move(radii.log_radii);
+    return status;
+  }
+
+  Status ReadBack() {
+    const CornerAngles flat = FlatCornerAngles(t(), result_.angles, result_.log_radii);
+    ScaleToSurfaceArea(flat);
+    result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
+    result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
+    Put({{"mirrored_triangles", static_cast<double>(result_.on_input.mirrored.size())}});
+    return Status();
+  }
+
+  /// Shifts the gauge so that the image has the surface's area.
+  void ScaleToSurfaceArea(const CornerAngles& flat) {
+    const CornerAngles source = MeasureCornerAngles(input_, lengths_);
+    double image_area = 0, source_area = 0;
+    for (Index f = 0; f < input_.num_faces(); ++f) {
+      const double radius = std::exp(result_.log_radii.value[f]);
+      double image = 2 * radius * radius;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= std::sin(flat.value[h]);
+      image_area += image;
+      source_area += 0.5 * lengths_.value[input_.edge[3 * f]] *
+                     lengths_.value[input_.edge[3 * f + 1]] * std::sin(source.value[3 * f + 2]);
+    }
+    result_.log_radii.value.array() += 0.5 * std::log(source_area / image_area);
+  }
+
+  void Record(const std::string& stage, const SolveSummary& solve) {
+    Put({{stage + "_iterations", solve.num_iterations()},
+         {stage + "_factorizations", solve.factorizations}});
+  }
+
+  void Put(const std::map<std::string, double>& values) {
+    for (const auto& [name, value] : values) certificate_.values[name] = value;
+  }
+
+  const Triangulation& input_;
+  const EdgeLengths& lengths_;
+  const ConeTargets& targets_;
+  const ParameterizeOptions& options_;
+  const SolveControl& control_;
+  Certificate& certificate_;
+  FlatSurface& result_;
+};
+
+}  // namespace
+
+Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
+               const ParameterizeOptions& options, const SolveControl& control,
+               Certificate* certificate, FlatSurface* result) {
+  return Flattening(input, lengths, targets, options, control, certificate, result).Run();
+}
+
+}  // namespace cirque

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "cirque/core/metric.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/mesh/flat_on_input.h"
+#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/pipeline/certificate.h"
+#include "cirque/pipeline/options.h"
+
+namespace cirque {
+
+/// A flat cone metric conformal to the input's, where it was solved and as the input's triangles have it.
+struct FlatSurface {
+  IntrinsicTriangulation intrinsic;  ///< where it was solved; without flips: the input itself
+  CoherentAngles angles;             ///< of intrinsic
+  LogRadii log_radii;                ///< of intrinsic; the image has the area of the surface
+  EdgeLengths intrinsic_lengths;     ///< flat, of intrinsic: with it a CON file
+  FlatOnInput on_input;
+};
+
+/// Coherent angles and log radii for the targets, on intrinsic Delaunay connectivity unless the options say otherwise.
+/// Input triangles that come out mirrored get their edges locked, and everything is solved again (DESIGN 4.1); the last
+/// resort, also where the flipped connectivity has no coherent angles, is the input's own, on which none can be
+/// mirrored. Proofs of infeasibility are therefore about the input's connectivity. Fills in the certificate's values.
+Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
+               const ParameterizeOptions& options, const SolveControl& control,
+               Certificate* certificate, FlatSurface* result);
+
+}  // namespace cirque
