@@ -23,7 +23,8 @@ struct IntrinsicTriangulation {
 
 struct IntrinsicDelaunayOptions {
   /// No flip leaves a vertex with fewer corners than its target needs: Theta_v < corners * pi.
-  /// Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets).
+  /// Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets). The solve on the
+  /// result then takes them through TransferTargets.
   const ConeTargets* targets = nullptr;
   /// Per edge of the input whether it must stay; empty: none must.
   std::vector<bool> locked;

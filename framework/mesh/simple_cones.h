@@ -16,6 +16,9 @@ namespace cirque {
 /// of the angles are exact in multiples of pi/2. Surfaces with a boundary need no cones:
 /// FreeBoundaryTargets. Deterministic.
 ///
+/// Gauss-Bonnet and the corners are necessary for coherent angles, not sufficient: meshes of
+/// mechanical parts with many handles can still be proven infeasible with these cones.
+///
 /// Errors (invalid input): too few vertices with enough corners for the genus.
 StatusOr<ConeTargets> SimpleConeTargets(const Triangulation& triangulation,
                                         const EdgeLengths& lengths);

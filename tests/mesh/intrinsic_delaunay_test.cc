@@ -183,7 +183,12 @@ TEST(IntrinsicDelaunay, GuardsTheLeastNumberOfCorners) {
   const IntrinsicMesh mesh = Spike();
   const IntrinsicTriangulation delaunay = Delaunay(mesh);
   EXPECT_EQ(CornersPerVertex(delaunay.triangulation)[0], 3);
-  EXPECT_FALSE(NonDelaunayEdges(delaunay.triangulation, delaunay.lengths).empty());
+  const std::vector<Index> left = NonDelaunayEdges(delaunay.triangulation, delaunay.lengths);
+  EXPECT_FALSE(left.empty());
+  for (const Index e : left) {
+    const Index h = delaunay.triangulation.edge_halfedge[e];
+    EXPECT_EQ(std::min(delaunay.triangulation.Tail(h), delaunay.triangulation.Tip(h)), 0);
+  }
 
   ConeTargets targets = FreeBoundaryTargets(mesh.triangulation);
   IntrinsicDelaunayOptions options;
