@@ -16,6 +16,12 @@
 
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
 DEFINE_string(oo, "", "output .obj, with the map as texture coordinates");
+DEFINE_string(oc, "", "output .con: the flat metric on the triangulation where it was solved");
+DEFINE_string(iv, "", "cone file: 'vertex min max' a line, angle sums in multiples of pi");
+DEFINE_string(angle_sums, "", "file of one target angle sum in radians per vertex, instead of -iv");
+DEFINE_string(ie, "", "edge-cut file: 'from to face' a line; without it a short cut is found");
+DEFINE_string(triangulation, cirque::ParameterizeOptions().triangulation,
+              "delaunay: intrinsic Delaunay flips first; input: the file's connectivity");
 DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certificate.json");
 DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of the angle fit");
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
@@ -63,11 +69,15 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);
-  const CirclePatternsJob job = {
-      FLAGS_io,
-      FLAGS_oo,
-      FLAGS_certificate,
-      {FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
+  const CirclePatternsJob job = {FLAGS_io,
+                                 FLAGS_oo,
+                                 FLAGS_iv,
+                                 FLAGS_angle_sums,
+                                 FLAGS_ie,
+                                 FLAGS_oc,
+                                 FLAGS_certificate,
+                                 {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy,
+                                  FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};

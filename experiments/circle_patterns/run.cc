@@ -3,11 +3,15 @@
 #include <sys/resource.h>
 
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/timer.h"
+#include "cirque/cuts/cut_file.h"
+#include "cirque/mesh/con_file.h"
+#include "cirque/mesh/cone_file.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
@@ -42,7 +46,28 @@ std::string Summary(const Certificate& c) {
       "map         {:.0f} flipped triangles, {}, quasi-conformal {:.5f} mean {:.4g} max\n",
       value("flipped_triangles"), c.overlap, value("quasi_conformal_mean"),
       value("quasi_conformal_max"));
+  if (value("cones") > 0 || value("seams") > 0) {
+    text += fmt::format("cut         {:.0f} cones, {:.0f} seams, rotation {:.1e} rad, gap {:.1e}\n",
+                        value("cones"), value("seams"), value("seam_rotation_mismatch"),
+                        value("seam_gap"));
+  }
   return text;
+}
+
+/// What the job prescribes, or else the default of the surface.
+StatusOr<ConeTargets> TargetsOf(const CirclePatternsJob& job, const PolygonSoup& soup,
+                                const Surface& surface) {
+  const FileVertices vertices = {static_cast<Index>(soup.position.size()), surface.soup_vertex};
+  if (!job.angle_sums.empty()) {
+    return ReadAngleSumFile(job.angle_sums, surface.triangulation, vertices);
+  }
+  if (!job.cones.empty()) return ReadConeFile(job.cones, surface.triangulation, vertices);
+  return DefaultTargets(surface);
+}
+
+Status WriteFlatMetric(const CirclePatternsJob& job, const FlatSurface& flat) {
+  if (job.con.empty()) return Status();
+  return WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
 }
 
 /// The faces and vertices that carry a proof, as a table and as a coloured mesh.
@@ -85,9 +110,18 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   if (!surface.ok()) return surface.status().In(job.input);
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
+  const StatusOr<ConeTargets> targets = TargetsOf(job, *soup, *surface);
+  if (!targets.ok()) return targets.status();
+  std::optional<Cut> cut;
+  if (!job.cut.empty()) {
+    StatusOr<Cut> read = ReadCutFile(job.cut, surface->triangulation, NumbersInFile(*surface));
+    if (!read.ok()) return read.status();
+    cut = *std::move(read);
+  }
+
   Parameterization map;
-  Status status = Parameterize(*surface, FreeBoundaryTargets(surface->triangulation), job.options,
-                               control, &map);
+  Status status =
+      Parameterize(*surface, *targets, cut ? &*cut : nullptr, job.options, control, &map);
   map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
@@ -99,6 +133,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     const Status written = WriteMesh(job.output, AttachUv(*soup, *surface, map.uv));
     if (!written.ok()) return written;
     map.certificate.seconds["write"] = write_timer.Seconds();
+    if (Status s = WriteFlatMetric(job, map.flat); !s.ok()) return s;
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());
   }

@@ -11,6 +11,10 @@ namespace cirque {
 /// What the program was asked to do.
 struct CirclePatternsJob {
   std::string input, output;
+  std::string cones;        ///< file of `vertex min max` in multiples of pi; empty: none
+  std::string angle_sums;   ///< file of one target angle sum [rad] per vertex; empty: none
+  std::string cut;          ///< file of edges `from to face` to open; empty: a short cut is found
+  std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
   std::string certificate;  ///< where to write it; empty: beside the output
   ParameterizeOptions options;
 };

@@ -33,6 +33,12 @@ struct Setter {
 const std::vector<MethodField>& MethodFields() {
   using Options = ParameterizeOptions;
   static const std::vector<MethodField> fields = {
+      {"triangulation",
+       &Options::triangulation,
+       "intrinsic Delaunay flips first, or the input's connectivity",
+       0,
+       0,
+       {"delaunay", "input"}},
       {"angle_fit", &Options::angle_fit, "the objective of the angle fit", 0, 0,
        AngleObjectives().Names()},
       {"angle_strategy", &Options::angle_strategy, "the solver of the angle fit", 0, 0,

@@ -32,11 +32,12 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   if (!surface.ok()) return surface.status();
 
   Parameterization parameterization;
-  const ConeTargets targets = cell.mesh.known_boundary
-                                  ? KnownBoundaryTargets(cell.mesh, *surface)
-                                  : FreeBoundaryTargets(surface->triangulation);
-  const Status status =
-      Parameterize(*surface, targets, cell.method.options, SolveControl(), &parameterization);
+  const StatusOr<ConeTargets> targets = cell.mesh.known_boundary
+                                            ? KnownBoundaryTargets(cell.mesh, *surface)
+                                            : DefaultTargets(*surface);
+  if (!targets.ok()) return targets.status();
+  const Status status = Parameterize(*surface, *targets, nullptr, cell.method.options,
+                                     SolveControl(), &parameterization);
   parameterization.certificate.seconds.merge(seconds);
   result->certificate = std::move(parameterization.certificate);
   if (status.ok()) {

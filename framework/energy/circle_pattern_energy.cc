@@ -38,7 +38,7 @@ bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gra
   for (const InteriorEdge& e : edges_) {
     const double theta = e.angle.theta;
     sum += EdgePotential(rho[e.i] - rho[e.j], theta).value;
-    sum += -(kPi - theta) * (rho[e.i] + rho[e.j]);
+    sum -= (e.alpha_i + e.alpha_j) * (rho[e.i] + rho[e.j]);
   }
   *value = sum.Value();
   if (!std::isfinite(*value)) return false;
@@ -49,10 +49,12 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   if (!AllFinite(rho)) return false;
   Eigen::Map<Eigen::VectorXd>(gradient, num_faces_) = boundary_star_;
   for (const InteriorEdge& e : edges_) {
-    const double theta = e.angle.theta;
+    // The two halves add up to the corner angles themselves: those sum to pi in every triangle, so
+    // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
+    // by the rounding of pi, every time.
     const double phi_i = HalfAngle(rho[e.i] - rho[e.j], e.angle);
     gradient[e.i] -= 2 * phi_i;
-    gradient[e.j] -= 2 * ((kPi - theta) - phi_i);
+    gradient[e.j] -= 2 * ((e.alpha_i + e.alpha_j) - phi_i);
   }
   return true;
 }

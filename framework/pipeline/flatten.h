@@ -11,7 +11,8 @@
 
 namespace cirque {
 
-/// A flat cone metric conformal to the input's, where it was solved and as the input's triangles have it.
+/// A flat cone metric conformal to the input's, where it was solved and as the input's triangles
+/// have it.
 struct FlatSurface {
   IntrinsicTriangulation intrinsic;  ///< where it was solved; without flips: the input itself
   CoherentAngles angles;             ///< of intrinsic
@@ -20,10 +21,11 @@ struct FlatSurface {
   FlatOnInput on_input;
 };
 
-/// Coherent angles and log radii for the targets, on intrinsic Delaunay connectivity unless the options say otherwise.
-/// Input triangles that come out mirrored get their edges locked, and everything is solved again (DESIGN 4.1); the last
-/// resort, also where the flipped connectivity has no coherent angles, is the input's own, on which none can be
-/// mirrored. Proofs of infeasibility are therefore about the input's connectivity. Fills in the certificate's values.
+/// Coherent angles and log radii for the targets, on intrinsic Delaunay connectivity unless the
+/// options say otherwise. Input triangles that come out mirrored get their edges locked, and
+/// everything is solved again (DESIGN 4.1); the last resort, also where the flipped connectivity
+/// has no coherent angles, is the input's own, on which none can be mirrored. Proofs of
+/// infeasibility are therefore about the input's connectivity. Fills in the certificate's values.
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,
                Certificate* certificate, FlatSurface* result);

@@ -28,9 +28,10 @@ StatusOr<Cut> ChooseCut(const Triangulation& t, const FlatOnInput& flat,
 Status Unrepresentable(const Certificate& certificate, const std::vector<Index>& flipped) {
   return Status(
       StatusCode::kUnrepresentable,
-      fmt::format("the flat metric exists but doubles cannot hold it in one chart: log radii range "
-                  "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
-                  certificate.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
+      fmt::format(
+          "the flat metric exists but doubles cannot hold it in one chart: log radii range "
+          "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
+          certificate.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
 }
 
 /// Cuts and lays out; refuses a layout with a flipped triangle.
@@ -44,16 +45,16 @@ Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* giv
   PlanarLayout layout = LayOutPatches(t, flat.angles, flat.lengths, *cut);
   const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
   const std::vector<Index> flipped = FlippedFaces(t, layout.uv);
-  certificate.values.merge(std::map<std::string, double>{
-      {"cones", static_cast<double>(cones.size())},
-      {"patches", static_cast<double>(layout.patches.count)},
-      {"seams", static_cast<double>(seams.seams.size())},
-      {"seam_length_mismatch", seams.max_length_mismatch},
-      {"seam_rotation_mismatch", seams.max_rotation_mismatch},
-      {"seam_gap", seams.max_gap},
-      {"cone_rotation_mismatch", seams.max_cone_mismatch},
-      {"layout_closure", layout.closure},
-      {"flipped_triangles", static_cast<double>(flipped.size())}});
+  certificate.values.merge(
+      std::map<std::string, double>{{"cones", static_cast<double>(cones.size())},
+                                    {"patches", static_cast<double>(layout.patches.count)},
+                                    {"seams", static_cast<double>(seams.seams.size())},
+                                    {"seam_length_mismatch", seams.max_length_mismatch},
+                                    {"seam_rotation_mismatch", seams.max_rotation_mismatch},
+                                    {"seam_gap", seams.max_gap},
+                                    {"cone_rotation_mismatch", seams.max_cone_mismatch},
+                                    {"layout_closure", layout.closure},
+                                    {"flipped_triangles", static_cast<double>(flipped.size())}});
   if (!flipped.empty()) return Unrepresentable(certificate, flipped);
   result->cut = *std::move(cut);
   result->uv = std::move(layout.uv);
@@ -80,8 +81,7 @@ Status Run(const Surface& surface, const ConeTargets& targets, const Cut* cut,
   const Triangulation& t = surface.triangulation;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   Certificate& certificate = result->certificate;
-  Status status =
-      Flatten(t, lengths, targets, options, control, &certificate, &result->flat);
+  Status status = Flatten(t, lengths, targets, options, control, &certificate, &result->flat);
   if (!status.ok()) return status;
   const Timer layout_timer;
   status = LayOut(t, targets, cut, result);

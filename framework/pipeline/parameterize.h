@@ -14,18 +14,20 @@ namespace cirque {
 /// What comes out of every stage.
 struct Parameterization {
   FlatSurface flat;
-  Cut cut;      ///< edges of the surface along which it was opened for the layout
-  CornerUv uv;  ///< of the surface's own corners; several at a vertex on the cut
+  Cut cut;                  ///< edges of the surface along which it was opened for the layout
+  CornerUv uv;              ///< of the surface's own corners; several at a vertex on the cut
   Certificate certificate;  ///< filled as far as the stages came, whatever the outcome
 };
 
-/// Interior vertices flat and boundary vertices free; on a closed surface the cones of SimpleConeTargets.
+/// Interior vertices flat and boundary vertices free; on a closed surface the cones of
+/// SimpleConeTargets.
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
-/// Maps a surface of any topology whose angle sums shall lie in `targets` to the plane: intrinsic Delaunay flips, coherent
-/// angles, log radii, a cut through the cones (`cut` null: a short one is found), layout. The status is kInfeasible (the
-/// certificate holds the proof), kUnrepresentable or kNotConverged when there is no map, kInvalidInput for targets or a cut that
-/// fit no map; `result` then carries no uv.
+/// Maps a surface of any topology whose angle sums shall lie in `targets` to the plane: intrinsic
+/// Delaunay flips, coherent angles, log radii, a cut through the cones (`cut` null: a short one is
+/// found), layout. The status is kInfeasible (the certificate holds the proof), kUnrepresentable or
+/// kNotConverged when there is no map, kInvalidInput for targets or a cut that fit no map; `result`
+/// then carries no uv.
 Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
                     const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result);

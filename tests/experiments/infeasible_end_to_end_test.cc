@@ -66,7 +66,9 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
   ASSERT_TRUE(WriteMesh(Path("in.obj"), soup).ok());
   for (const std::string& method : AngleFitMethods().Names()) {
     SCOPED_TRACE(method);
-    CirclePatternsJob job = {Path("in.obj"), Path("out.obj"), "", {}};
+    CirclePatternsJob job;
+    job.input = Path("in.obj");
+    job.output = Path("out.obj");
     job.options.angle_strategy = method;
     std::ostringstream report;
     EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);

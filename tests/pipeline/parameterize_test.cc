@@ -14,7 +14,9 @@ namespace {
 
 Status FreeBoundaryMap(const Surface& surface, const ParameterizeOptions& options,
                        const SolveControl& control, Parameterization* map) {
-  return Parameterize(surface, FreeBoundaryTargets(surface.triangulation), options, control, map);
+  const StatusOr<ConeTargets> targets = DefaultTargets(surface);
+  if (!targets.ok()) return targets.status();
+  return Parameterize(surface, *targets, nullptr, options, control, map);
 }
 
 Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk) {
@@ -80,13 +82,37 @@ TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
   EXPECT_FALSE(json["infeasibility"]["face_multiplier"].empty());
 }
 
-TEST(Parameterize, ClosedSurfacesAndAnnuliAreRefusedByName) {
-  for (const char* name : {"sphere", "torus", "annulus"}) {
-    Parameterization map;
-    const Status status = FreeBoundaryMap(GeneratedSurface(name, 600), {}, {}, &map);
-    EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
-    EXPECT_NE(status.message().find("boundary loops"), std::string::npos) << status.message();
+TEST(Parameterize, SurfacesOfEveryTopologyAreCutAndMapped) {
+  for (const char* name : {"sphere", "blob", "torus", "double_torus", "annulus", "catenoid"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = GeneratedSurface(name, 900);
+    const Parameterization map = Flatten(surface);
+    const auto& values = map.certificate.values;
+    EXPECT_EQ(values.at("flipped_triangles"), 0);
+    EXPECT_LE(values.at("layout_closure"), 1e-7);
+    EXPECT_LE(values.at("seam_length_mismatch"), 1e-8);
+    EXPECT_LE(values.at("seam_rotation_mismatch"), 1e-8);
+    EXPECT_LE(values.at("cone_rotation_mismatch"), 1e-8);
+    EXPECT_LE(values.at("seam_gap"), 1e-7);
+    EXPECT_GE(values.at("seams"), 1);
+    EXPECT_LT(values.at("quasi_conformal_mean"), 1.2);
+    // Opened along the cut it is a disk.
+    EXPECT_EQ(EulerCharacteristic(CutOpen(surface.triangulation, map.cut)), 1);
   }
+}
+
+TEST(Parameterize, DelaunayFlipsBringAScrambledPatchBackToItsPlane) {
+  // On its own connectivity the terrain is distorted by the margin; flips never make that worse.
+  const Surface surface = GeneratedSurface("bumpy_terrain", 3000);
+  ParameterizeOptions raw;
+  raw.triangulation = "input";
+  Parameterization on_input;
+  ASSERT_TRUE(FreeBoundaryMap(surface, raw, {}, &on_input).ok());
+  const Parameterization flipped = Flatten(surface);
+  EXPECT_GT(flipped.certificate.values.at("flips"), 0);
+  EXPECT_EQ(flipped.certificate.values.at("mirrored_triangles"), 0);
+  EXPECT_LE(flipped.certificate.values.at("quasi_conformal_mean"),
+            on_input.certificate.values.at("quasi_conformal_mean") + 1e-6);
 }
 
 TEST(Parameterize, UnknownNamesAreRefused) {
