@@ -25,7 +25,10 @@ using ::testing::StartsWith;
 /// A folder that goes with the test.
 class InfeasibleEndToEnd : public ::testing::Test {
  protected:
-  InfeasibleEndToEnd() { std::filesystem::create_directories(folder_); }
+  InfeasibleEndToEnd() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
   ~InfeasibleEndToEnd() override { std::filesystem::remove_all(folder_); }
 
   std::string Path(const std::string& name) const { return folder_ / name; }
@@ -70,6 +73,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
     job.input = Path("in.obj");
     job.output = Path("out.obj");
     job.options.angle_strategy = method;
+    job.options.triangulation = "input";
     std::ostringstream report;
     EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);
     EXPECT_FALSE(std::filesystem::exists(Path("out.obj")));

@@ -85,7 +85,7 @@ TEST_F(ProgramsTest, APlantedFlipIsAnInvalidMap) {
 TEST_F(ProgramsTest, AnInfeasibleMeshLeavesAProofThatVerifies) {
   const std::string in = WriteSurface("in.obj", Kleetope(GeneratedSurface("bumpy_terrain", 200)));
   const std::string out = folder_.Path("out.obj"), proof = folder_.Path("out.certificate.json");
-  const ProgramResult flattened = Flatten(in, out);
+  const ProgramResult flattened = Flatten(in, out, "-triangulation input");
   EXPECT_EQ(flattened.exit_status, 3) << flattened.output;
   EXPECT_THAT(flattened.output, HasSubstr("no coherent angles exist"));
   EXPECT_FALSE(std::filesystem::exists(out));
@@ -115,7 +115,7 @@ TEST_F(ProgramsTest, BadInputIsExitStatusTwoAndLeavesNothing) {
   for (const auto& [command, word] : std::map<std::string, std::string>{
            {"circle_patterns -oi " + in, "did you mean"},
            {"circle_patterns -oo " + out, "-io IN is missing"},
-           {"circle_patterns -io " + in + " -oo " + out, "not a disk"},
+           {"circle_patterns -io " + in + " -oo " + out + " -triangulation inptu", "did you mean"},
            {"circle_patterns -io " + folder_.Path("none.obj") + " -oo " + out, "none.obj"},
            {"circle_patterns -io " + in + " -oo " + folder_.Path("x.png"), ".obj"},
            {"circle_patterns -io " + in + " -oo " + out + " -epsilon many", "epsilon"},

@@ -19,9 +19,10 @@ Status FreeBoundaryMap(const Surface& surface, const ParameterizeOptions& option
   return Parameterize(surface, *targets, nullptr, options, control, map);
 }
 
-Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk) {
+Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk,
+                         const ParameterizeOptions& options = {}) {
   Parameterization map;
-  const Status status = FreeBoundaryMap(surface, {}, {}, &map);
+  const Status status = FreeBoundaryMap(surface, options, {}, &map);
   EXPECT_EQ(status.code(), wanted) << status.message();
   EXPECT_EQ(map.certificate.outcome, ToString(wanted));
   return map;
@@ -74,12 +75,19 @@ TEST(Parameterize, ImageHasTheAreaOfTheSurface) {
 }
 
 TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
+  ParameterizeOptions raw;
+  raw.triangulation = "input";
   const Parameterization map =
-      Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)), StatusCode::kInfeasible);
+      Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)), StatusCode::kInfeasible, raw);
   EXPECT_TRUE(map.uv.value.empty());
   const auto json = nlohmann::json::parse(map.certificate.ToJson());
   EXPECT_EQ(json["outcome"], "infeasible");
   EXPECT_FALSE(json["infeasibility"]["face_multiplier"].empty());
+}
+
+TEST(Parameterize, FlipsRemoveWhatMakesAKleetopeInfeasible) {
+  const Parameterization map = Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)));
+  EXPECT_GT(map.certificate.values.at("flips"), 100);
 }
 
 TEST(Parameterize, SurfacesOfEveryTopologyAreCutAndMapped) {
