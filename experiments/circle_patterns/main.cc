@@ -20,6 +20,8 @@ DEFINE_string(oc, "", "output .con: the flat metric on the triangulation where i
 DEFINE_string(iv, "", "cone file: 'vertex min max' a line, angle sums in multiples of pi");
 DEFINE_string(angle_sums, "", "file of one target angle sum in radians per vertex, instead of -iv");
 DEFINE_string(ie, "", "edge-cut file: 'from to face' a line; without it a short cut is found");
+DEFINE_bool(fill_holes, false,
+            "close all boundary loops but the longest for the solve; the fill is not written");
 DEFINE_string(triangulation, cirque::ParameterizeOptions().triangulation,
               "delaunay: intrinsic Delaunay flips first; input: the file's connectivity");
 DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certificate.json");
@@ -75,6 +77,7 @@ int Main(int argc, char** argv) {
                                  FLAGS_angle_sums,
                                  FLAGS_ie,
                                  FLAGS_oc,
+                                 FLAGS_fill_holes,
                                  FLAGS_certificate,
                                  {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy,
                                   FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};

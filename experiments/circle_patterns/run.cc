@@ -12,6 +12,7 @@
 #include "cirque/cuts/cut_file.h"
 #include "cirque/mesh/con_file.h"
 #include "cirque/mesh/cone_file.h"
+#include "cirque/mesh/hole_filling.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
@@ -110,18 +111,27 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   if (!surface.ok()) return surface.status().In(job.input);
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
-  const StatusOr<ConeTargets> targets = TargetsOf(job, *soup, *surface);
+  FilledSurface filled = {*surface, surface->triangulation.num_faces(),
+                          surface->triangulation.num_vertices, 0};
+  if (job.fill_holes) {
+    StatusOr<FilledSurface> closed = FillHoles(*surface, KeptLoops::kLongest);
+    if (!closed.ok()) return closed.status().In(job.input);
+    filled = *std::move(closed);
+    report << fmt::format("{} holes filled for the solve\n", filled.num_filled_loops);
+  }
+  const StatusOr<ConeTargets> targets = TargetsOf(job, *soup, filled.surface);
   if (!targets.ok()) return targets.status();
   std::optional<Cut> cut;
   if (!job.cut.empty()) {
-    StatusOr<Cut> read = ReadCutFile(job.cut, surface->triangulation, NumbersInFile(*surface));
+    StatusOr<Cut> read =
+        ReadCutFile(job.cut, filled.surface.triangulation, NumbersInFile(filled.surface));
     if (!read.ok()) return read.status();
     cut = *std::move(read);
   }
 
   Parameterization map;
   Status status =
-      Parameterize(*surface, *targets, cut ? &*cut : nullptr, job.options, control, &map);
+      Parameterize(filled.surface, *targets, cut ? &*cut : nullptr, job.options, control, &map);
   map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
@@ -130,7 +140,8 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   if (status.ok()) {
     report << Summary(map.certificate);
     const Timer write_timer;
-    const Status written = WriteMesh(job.output, AttachUv(*soup, *surface, map.uv));
+    const Status written =
+        WriteMesh(job.output, AttachUv(*soup, *surface, WithoutFill(filled, map.uv)));
     if (!written.ok()) return written;
     map.certificate.seconds["write"] = write_timer.Seconds();
     if (Status s = WriteFlatMetric(job, map.flat); !s.ok()) return s;
@@ -143,7 +154,8 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   report << "certificate " << certificate << "\n";
   const InfeasibilityProof& proof = map.certificate.infeasibility;
   if (!proof.empty()) {
-    if (Status s = WriteCarriers(CarrierStem(job), *surface, proof, report); !s.ok()) return s;
+    if (Status s = WriteCarriers(CarrierStem(job), filled.surface, proof, report); !s.ok())
+      return s;
   }
   return status;
 }

@@ -15,6 +15,7 @@ struct CirclePatternsJob {
   std::string angle_sums;   ///< file of one target angle sum [rad] per vertex; empty: none
   std::string cut;          ///< file of edges `from to face` to open; empty: a short cut is found
   std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
+  bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
   std::string certificate;  ///< where to write it; empty: beside the output
   ParameterizeOptions options;
 };

@@ -37,6 +37,9 @@ class AngleConstraints {
   /// A alpha.
   Eigen::VectorXd Apply(const Eigen::VectorXd& alpha) const;
 
+  /// True when some vertex sum may range over an interval.
+  bool HasRanges() const { return lower_ != upper_; }
+
   /// True when every vertex is constrained: then y_f = 1, y_v = -1 is in the kernel of A'.
   bool HasGauge() const { return num_rows() == num_faces_ + triangulation_.num_vertices; }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
 #include "cirque/angles/targets.h"
@@ -18,6 +20,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxRounds = 6;  ///< of locking and solving again
+constexpr char kDual[] = "dual", kForRanges[] = "interior_point";
 
 /// One surface on its way to a flat metric.
 class Flattening {
@@ -90,15 +93,32 @@ class Flattening {
     return {{"max_iterations", std::to_string(options_.max_iterations)}};
   }
 
+  /// The method asked for. The dual has a kink at zero for every ranged angle sum, which the
+  /// unconstrained strategies do not treat: ranges are for the primal methods.
+  StatusOr<std::shared_ptr<const AngleFitMethod>> Method(
+      const AngleConstraints& constraints) const {
+    const bool primal =
+        AngleFitMethods().Find(options_.angle_strategy).ok() && options_.angle_strategy != kDual;
+    if (!constraints.HasRanges() || primal) {
+      return MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
+    }
+    if (options_.angle_strategy == ParameterizeOptions().angle_strategy) {
+      return MakeAngleFitMethod(kForRanges, SolverOptions());
+    }
+    return Status::InvalidInput(fmt::format(
+        "angle_strategy '{}' takes no ranged angle sums; give single angles, or use '{}'",
+        options_.angle_strategy, kForRanges));
+  }
+
   const Triangulation& t() const { return result_.intrinsic.triangulation; }
 
   Status FitAngles() {
     const auto objective = AngleObjectives().Find(options_.angle_fit);
     if (!objective.ok()) return objective.status();
-    const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
-    if (!method.ok()) return method.status();
     const ConeTargets targets = TransferTargets(input_, targets_, t());
     const AngleConstraints constraints(t(), targets);
+    const auto method = Method(constraints);
+    if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
     AngleFitResult fit;
     Status status = cirque::FitAngles({constraints, reference.value, options_.epsilon}, *objective,

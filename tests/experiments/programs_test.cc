@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cirque/energy/angle_constraints.h"
+#include "cirque/mesh/con_file.h"
+#include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/mesh/io.h"
 
@@ -67,6 +70,45 @@ TEST_F(ProgramsTest, OutputKeepsTheOrderOfVerticesAndFaces) {
   EXPECT_EQ(written.position, soup.position);
   EXPECT_EQ(written.corner, soup.corner);
   EXPECT_EQ(written.texture.size(), soup.position.size() - 1);
+}
+
+TEST_F(ProgramsTest, ConesFixedAndRangedAreMet) {
+  const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {300, 1}));
+  const Surface surface = GeneratedSurface("bumpy_terrain", 300);
+  const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
+  const auto inner = std::find(boundary.begin(), boundary.end(), false) - boundary.begin();
+  for (const std::string range : {"1.8", "1.7 1.9"}) {
+    const std::string cones = folder_.Path("cones"), out = folder_.Path("out.obj");
+    std::ofstream(cones) << inner + 1 << " " << range << "\n";
+    const ProgramResult flattened = Flatten(in, out, "-iv " + cones);
+    EXPECT_EQ(flattened.exit_status, 0) << flattened.output;
+    EXPECT_THAT(flattened.output, HasSubstr("1 cones"));
+    const ProgramResult verified = RunProgram("verify_map " + in + " " + out);
+    EXPECT_EQ(verified.exit_status, 0) << verified.output;
+  }
+}
+
+TEST_F(ProgramsTest, FilledHolesAreNotInTheOutput) {
+  const std::string in = Write("in.obj", *GenerateMesh("annulus", {400, 1}));
+  const std::string out = folder_.Path("out.obj");
+  const ProgramResult flattened = Flatten(in, out, "-fill_holes");
+  EXPECT_EQ(flattened.exit_status, 0) << flattened.output;
+  EXPECT_THAT(flattened.output, HasSubstr("1 holes filled"));
+  EXPECT_EQ(ReadMesh(out)->corner, ReadMesh(in)->corner);
+  EXPECT_EQ(RunProgram("verify_map " + in + " " + out).exit_status, 0);
+}
+
+TEST_F(ProgramsTest, TheFlatMetricIsWrittenAsCon) {
+  const std::string in = Write("in.obj", *GenerateMesh("spherical_cap", {300, 1}));
+  const std::string con = folder_.Path("out.con");
+  ASSERT_EQ(Flatten(in, folder_.Path("out.obj"), "-oc " + con).exit_status, 0);
+  const StatusOr<ConMesh> flat = ReadCon(con);
+  ASSERT_TRUE(flat.ok()) << flat.status().message();
+  const Triangulation& t = flat->triangulation;
+  const CornerAngles angles = MeasureCornerAngles(t, flat->lengths);
+  const AngleConstraints constraints(t, FreeBoundaryTargets(t));
+  const Eigen::VectorXd sums = constraints.Apply(angles.value);
+  for (int row = t.num_faces(); row < sums.size(); ++row) EXPECT_NEAR(sums[row], 2 * kPi, 1e-9);
 }
 
 TEST_F(ProgramsTest, APlantedFlipIsAnInvalidMap) {
