@@ -17,6 +17,8 @@
 DEFINE_string(io, "", "input mesh: .obj, .off, .ply or .stl");
 DEFINE_string(oo, "", "output .obj, with the map as texture coordinates");
 DEFINE_string(oc, "", "output .con: the flat metric on the triangulation where it was solved");
+DEFINE_string(ic, "", "input .con: an intrinsic metric, instead of -io");
+DEFINE_bool(no, false, "no optimisation: cut and lay out the metric of -ic, which is flat already");
 DEFINE_string(iv, "", "cone file: 'vertex min max' a line, angle sums in multiples of pi");
 DEFINE_string(angle_sums, "", "file of one target angle sum in radians per vertex, instead of -iv");
 DEFINE_string(ie, "", "edge-cut file: 'from to face' a line; without it a short cut is found");
@@ -41,6 +43,7 @@ constexpr char kSource[] = "experiments/circle_patterns/";
 constexpr char kUsage[] =
     "Flattens a triangle mesh conformally by a circle pattern.\n"
     "  circle_patterns -io IN.obj -oo OUT.obj\n"
+    "  circle_patterns -ic IN.con -oo OUT.obj\n"
     "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
@@ -52,9 +55,34 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (!others.empty()) {
     return Status::InvalidInput("unexpected argument '" + others.front() + "'; see --help");
   }
-  if (FLAGS_io.empty()) return Status::InvalidInput("-io IN is missing; see --help");
-  if (FLAGS_oo.empty()) return Status::InvalidInput("-oo OUT is missing; see --help");
+  if (FLAGS_io.empty() == FLAGS_ic.empty()) {
+    return Status::InvalidInput(FLAGS_io.empty() ? "-io IN is missing; see --help"
+                                                 : "give one of -io and -ic");
+  }
+  if (FLAGS_no && FLAGS_ic.empty()) {
+    return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
+  }
+  if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
+    return Status::InvalidInput("-oo OUT is missing; see --help");
+  }
   return Status();
+}
+
+CirclePatternsJob JobOfFlags() {
+  CirclePatternsJob job;
+  job.input = FLAGS_io;
+  job.output = FLAGS_oo;
+  job.input_con = FLAGS_ic;
+  job.layout_only = FLAGS_no;
+  job.cones = FLAGS_iv;
+  job.angle_sums = FLAGS_angle_sums;
+  job.cut = FLAGS_ie;
+  job.con = FLAGS_oc;
+  job.fill_holes = FLAGS_fill_holes;
+  job.certificate = FLAGS_certificate;
+  job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy,
+                 FLAGS_strategy,      FLAGS_epsilon,   FLAGS_max_iterations};
+  return job;
 }
 
 int Main(int argc, char** argv) {
@@ -71,20 +99,12 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);
-  const CirclePatternsJob job = {FLAGS_io,
-                                 FLAGS_oo,
-                                 FLAGS_iv,
-                                 FLAGS_angle_sums,
-                                 FLAGS_ie,
-                                 FLAGS_oc,
-                                 FLAGS_fill_holes,
-                                 FLAGS_certificate,
-                                 {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy,
-                                  FLAGS_strategy, FLAGS_epsilon, FLAGS_max_iterations}};
+  const CirclePatternsJob job = JobOfFlags();
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};
-  const Status status = RunCirclePatterns(job, control, std::cout);
+  const Status status = job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
+                                              : RunOnMetric(job, control, std::cout);
   progress.Erase();
   return Conclude(status);
 }

@@ -93,7 +93,8 @@ std::string CarrierStem(const CirclePatternsJob& job) {
 
 std::string CertificatePath(const CirclePatternsJob& job) {
   if (!job.certificate.empty()) return job.certificate;
-  return std::filesystem::path(job.output).replace_extension(".certificate.json").string();
+  const std::string& output = job.output.empty() ? job.con : job.output;
+  return std::filesystem::path(output).replace_extension(".certificate.json").string();
 }
 
 Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,

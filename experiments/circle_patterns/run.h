@@ -11,12 +11,14 @@ namespace cirque {
 /// What the program was asked to do.
 struct CirclePatternsJob {
   std::string input, output;
-  std::string cones;        ///< file of `vertex min max` in multiples of pi; empty: none
-  std::string angle_sums;   ///< file of one target angle sum [rad] per vertex; empty: none
-  std::string cut;          ///< file of edges `from to face` to open; empty: a short cut is found
-  std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
-  bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
-  std::string certificate;  ///< where to write it; empty: beside the output
+  std::string input_con;     ///< an intrinsic metric instead of `input`
+  bool layout_only = false;  ///< the metric of `input_con` is flat: cut and lay it out as it is
+  std::string cones;         ///< file of `vertex min max` in multiples of pi; empty: none
+  std::string angle_sums;    ///< file of one target angle sum [rad] per vertex; empty: none
+  std::string cut;           ///< file of edges `from to face` to open; empty: a short cut is found
+  std::string con;           ///< where to write the flat intrinsic metric; empty: nowhere
+  bool fill_holes = false;   ///< all boundary loops but the longest, not in the output
+  std::string certificate;   ///< where to write it; empty: beside the output
   ParameterizeOptions options;
 };
 
@@ -33,5 +35,9 @@ std::string CarrierStem(const CirclePatternsJob& job);
 /// `control` cancels.
 Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
                          std::ostream& report);
+
+/// The same for an intrinsic metric from a CON file. The output's points are the map's own: (u, v,
+/// 0) for every vertex of the surface opened along the cut.
+Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report);
 
 }  // namespace cirque

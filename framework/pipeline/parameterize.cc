@@ -1,5 +1,6 @@
 #include "cirque/pipeline/parameterize.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,12 +11,15 @@
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/seams.h"
+#include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/simple_cones.h"
 #include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
 
 namespace cirque {
 namespace {
+
+constexpr double kFlatness = 1e-6;  ///< [rad]: a vertex closer to 2 pi is no cone
 
 /// The given cut, or one through the cones, short in the flat metric.
 StatusOr<Cut> ChooseCut(const Triangulation& t, const FlatOnInput& flat,
@@ -75,22 +79,45 @@ void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterizatio
                                     {"log_area_ratio_max", d.log_area_ratio_max}});
 }
 
-Status Run(const Surface& surface, const ConeTargets& targets, const Cut* cut,
-           const ParameterizeOptions& options, const SolveControl& control,
-           Parameterization* result) {
-  const Triangulation& t = surface.triangulation;
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
+                        const ConeTargets& targets, const Cut* cut, Parameterization* result) {
   Certificate& certificate = result->certificate;
-  Status status = Flatten(t, lengths, targets, options, control, &certificate, &result->flat);
-  if (!status.ok()) return status;
   const Timer layout_timer;
-  status = LayOut(t, targets, cut, result);
+  const Status status = LayOut(t, targets, cut, result);
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
   Measure(t, lengths, result);
   certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
+}
+
+Status Run(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
+           const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
+           Parameterization* result) {
+  const Status status =
+      Flatten(t, lengths, targets, options, control, &result->certificate, &result->flat);
+  return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, result) : status;
+}
+
+Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
+  certificate->seconds["total"] = timer.Seconds();
+  certificate->outcome = ToString(status.code());
+  certificate->message = status.message();
+  return status;
+}
+
+/// The angle sums of a metric, cones being what differs from flat by more than rounding.
+ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) {
+  ConeTargets targets = FreeBoundaryTargets(t);
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const bool cone = !boundary[v] && std::abs(sum[v] - 2 * kPi) > kFlatness;
+    if (cone) targets.lower[v] = targets.upper[v] = sum[v];
+  }
+  return targets;
 }
 
 /// Renumbers the proof's vertices as the input file has them.
@@ -107,18 +134,35 @@ StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
   return SimpleConeTargets(t, MeasureEdgeLengths(surface));
 }
 
-Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
-                    const ParameterizeOptions& options, const SolveControl& control,
+Status Parameterize(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
+                    const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result) {
   *result = Parameterization();
   const Timer timer;
-  const Status status = Run(surface, targets, cut, options, control, result);
-  Certificate& certificate = result->certificate;
-  certificate.seconds["total"] = timer.Seconds();
-  certificate.outcome = ToString(status.code());
-  certificate.message = status.message();
-  NumberAsInFile(surface, &certificate.infeasibility);
+  return Conclude(Run(t, lengths, targets, cut, options, control, result), timer,
+                  &result->certificate);
+}
+
+Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
+                    const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result) {
+  const Status status = Parameterize(surface.triangulation, MeasureEdgeLengths(surface), targets,
+                                     cut, options, control, result);
+  NumberAsInFile(surface, &result->certificate.infeasibility);
   return status;
+}
+
+Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
+                        Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  FlatSurface& flat = result->flat;
+  flat.intrinsic = {t, lengths, {}, {}};
+  flat.intrinsic_lengths = lengths;
+  flat.on_input = {MeasureCornerAngles(t, lengths), lengths, {}};
+  const ConeTargets targets = MeasuredTargets(t, flat.on_input.angles);
+  result->certificate.values["log_radius_range"] = 0;
+  return Conclude(LayOutAndMeasure(t, lengths, targets, cut, result), timer, &result->certificate);
 }
 
 }  // namespace cirque

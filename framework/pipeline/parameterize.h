@@ -32,4 +32,14 @@ Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cu
                     const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result);
 
+/// The same for an intrinsic metric without points.
+Status Parameterize(const Triangulation& triangulation, const EdgeLengths& lengths,
+                    const ConeTargets& targets, const Cut* cut, const ParameterizeOptions& options,
+                    const SolveControl& control, Parameterization* result);
+
+/// Cuts and lays out a metric that is flat but for cones already; nothing is solved. Interior
+/// vertices whose angles do not add up to 2 pi (within 1e-6 rad) are its cones.
+Status LayOutFlatMetric(const Triangulation& triangulation, const EdgeLengths& lengths,
+                        const Cut* cut, Parameterization* result);
+
 }  // namespace cirque

@@ -111,6 +111,39 @@ TEST_F(ProgramsTest, TheFlatMetricIsWrittenAsCon) {
   for (int row = t.num_faces(); row < sums.size(); ++row) EXPECT_NEAR(sums[row], 2 * kPi, 1e-9);
 }
 
+TEST_F(ProgramsTest, FromObjToConToTheSameMap) {
+  const std::string in = Write("in.obj", *GenerateMesh("blob", {500, 1}));
+  const std::string con = folder_.Path("flat.con"), direct = folder_.Path("direct.obj");
+  ASSERT_EQ(Flatten(in, direct, "-triangulation input -oc " + con).exit_status, 0);
+  const std::string again = folder_.Path("again.obj");
+  const ProgramResult laid_out = RunProgram("circle_patterns -ic " + con + " -no -oo " + again);
+  ASSERT_EQ(laid_out.exit_status, 0) << laid_out.output;
+  // The same triangles up to a motion of the one patch: distances to a far corner agree.
+  const PolygonSoup a = *ReadMesh(direct), b = *ReadMesh(again);
+  ASSERT_EQ(a.corner_texture.size(), b.corner_texture.size());
+  const auto point = [](const PolygonSoup& soup, std::size_t corner) {
+    return soup.texture[soup.corner_texture[corner]];
+  };
+  for (std::size_t corner = 1; corner < a.corner_texture.size(); ++corner) {
+    const double wanted = (point(a, corner) - point(a, 0)).norm();
+    EXPECT_NEAR((point(b, corner) - point(b, 0)).norm(), wanted, 1e-8 * (1 + wanted));
+  }
+}
+
+TEST_F(ProgramsTest, AMetricIsSolvedAnew) {
+  const std::string in = Write("in.obj", *GenerateMesh("spherical_cap", {300, 1}));
+  const std::string flat = folder_.Path("flat.con"), anew = folder_.Path("anew.con");
+  ASSERT_EQ(Flatten(in, folder_.Path("out.obj"), "-oc " + flat).exit_status, 0);
+  // A flat Delaunay metric stays as it is, up to scale.
+  const ProgramResult result =
+      RunProgram("circle_patterns -epsilon 1e-9 -ic " + flat + " -oc " + anew);
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const ConMesh before = *ReadCon(flat), after = *ReadCon(anew);
+  ASSERT_EQ(after.triangulation.vertex, before.triangulation.vertex);
+  const Eigen::VectorXd ratio = after.lengths.value.cwiseQuotient(before.lengths.value);
+  EXPECT_LT(ratio.maxCoeff() / ratio.minCoeff() - 1, 1e-7);
+}
+
 TEST_F(ProgramsTest, APlantedFlipIsAnInvalidMap) {
   const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {300, 1}));
   const std::string out = folder_.Path("out.obj");

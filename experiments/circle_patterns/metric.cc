@@ -1,0 +1,90 @@
+// The program on CON files: intrinsic metrics without points.
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cirque/core/atomic_file.h"
+#include "cirque/cuts/cut_file.h"
+#include "cirque/mesh/con_file.h"
+#include "cirque/mesh/cone_file.h"
+#include "cirque/mesh/io.h"
+#include "cirque/mesh/simple_cones.h"
+
+#include "experiments/circle_patterns/run.h"
+
+namespace cirque {
+namespace {
+
+StatusOr<ConeTargets> TargetsOf(const CirclePatternsJob& job, const ConMesh& metric) {
+  const Triangulation& t = metric.triangulation;
+  const FileVertices vertices = {t.num_vertices, OwnNumbers(t).vertex};
+  if (!job.angle_sums.empty()) return ReadAngleSumFile(job.angle_sums, t, vertices);
+  if (!job.cones.empty()) return ReadConeFile(job.cones, t, vertices);
+  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
+  return SimpleConeTargets(t, metric.lengths);
+}
+
+/// The opened surface in the plane, its points also its texture coordinates.
+PolygonSoup PlanarMesh(const Triangulation& t, const Parameterization& map) {
+  const Triangulation opened = CutOpen(t, map.cut);
+  PolygonSoup soup;
+  soup.position.resize(opened.num_vertices);
+  soup.texture.resize(opened.num_vertices);
+  soup.corner = soup.corner_texture = opened.vertex;
+  for (Index h = 0; h < opened.num_halfedges(); ++h) {
+    const Eigen::Vector2d& uv = map.uv.value[h];
+    soup.texture[opened.vertex[h]] = uv;
+    soup.position[opened.vertex[h]] = {uv.x(), uv.y(), 0};
+    if (h % 3 == 2) soup.first_corner.push_back(h + 1);
+  }
+  return soup;
+}
+
+Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
+                    const Parameterization& map, std::ostream& report) {
+  if (!job.con.empty()) {
+    const FlatSurface& flat = map.flat;
+    Status status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+    if (!status.ok()) return status;
+    report << "wrote       " << job.con << "\n";
+  }
+  if (job.output.empty()) return Status();
+  if (Status s = WriteMesh(job.output, PlanarMesh(t, map)); !s.ok()) return s;
+  report << "wrote       " << job.output << "\n";
+  return Status();
+}
+
+}  // namespace
+
+Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
+                   std::ostream& report) {
+  const StatusOr<ConMesh> metric = ReadCon(job.input_con);
+  if (!metric.ok()) return metric.status();
+  const Triangulation& t = metric->triangulation;
+  std::optional<Cut> cut;
+  if (!job.cut.empty()) {
+    StatusOr<Cut> read = ReadCutFile(job.cut, t, OwnNumbers(t));
+    if (!read.ok()) return read.status();
+    cut = *std::move(read);
+  }
+  const Cut* given = cut ? &*cut : nullptr;
+  Parameterization map;
+  Status status;
+  if (job.layout_only) {
+    status = LayOutFlatMetric(t, metric->lengths, given, &map);
+  } else {
+    const StatusOr<ConeTargets> targets = TargetsOf(job, *metric);
+    if (!targets.ok()) return targets.status();
+    status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
+  }
+  if (status.ok()) status = WriteOutputs(job, t, map, report);
+  if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {
+    return status.In(job.input_con);
+  }
+  const std::string certificate = CertificatePath(job);
+  if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
+  report << "certificate " << certificate << "\n";
+  return status;
+}
+
+}  // namespace cirque
