@@ -13,17 +13,18 @@ struct Certificate {
   std::string message;              ///< why, when the outcome is not ok
   std::string overlap = "unknown";  ///< "injective", "boundary_overlaps" or "unknown"
 
-  /// Radians unless the name says otherwise:
-  ///   smallest_angle, smallest_theta, epsilon     of the coherent angles, and the margin asked for
-  ///   triangle_sum_residual, vertex_sum_residual  of the coherent angles
-  ///   angle_primal, angle_dual, angle_gap         objective of the angle fit, its dual, relative
-  ///   gap radii_gradient                              max |dS/drho| radii_primal, radii_dual,
-  ///   radii_gap         circle-pattern energy, its dual, relative gap log_radius_range max rho -
-  ///   min rho layout_closure                              relative, over all edges
-  ///   flipped_triangles                           count, exact
-  ///   quasi_conformal_mean, quasi_conformal_max, log_area_ratio_l2, log_area_ratio_min,
-  ///   log_area_ratio_max angle_iterations, angle_factorizations, radii_iterations,
-  ///   radii_factorizations
+  /// Angles in radians, lengths relative. By stage:
+  /// - triangulation: flips, delaunay_rounds, mirrored_triangles (of the input, before the last
+  /// round)
+  /// - angle fit: smallest_angle, smallest_theta, epsilon (the margin asked for),
+  ///   triangle_sum_residual, vertex_sum_residual, angle_primal, angle_dual, angle_gap (relative),
+  ///   angle_iterations, angle_factorizations, angle_fit_retried (1: by the interior point)
+  /// - radii: radii_gradient (max |dS/drho|), radii_primal, radii_dual, radii_gap (relative),
+  ///   radii_iterations, radii_factorizations, log_radius_range (max rho - min rho)
+  /// - layout: layout_closure (over all edges), flipped_triangles (exact), cones, patches, seams,
+  ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch
+  /// - measures: quasi_conformal_mean, quasi_conformal_max, log_area_ratio_l2, log_area_ratio_min,
+  ///   log_area_ratio_max
   std::map<std::string, double> values;
   std::map<std::string, double> seconds;  ///< wall time by stage
 

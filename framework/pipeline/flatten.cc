@@ -120,9 +120,12 @@ class Flattening {
     const auto method = Method(constraints);
     if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
+    const AngleFitProblem problem = {constraints, reference.value, options_.epsilon};
     AngleFitResult fit;
-    Status status = cirque::FitAngles({constraints, reference.value, options_.epsilon}, *objective,
-                                      **method, control_, &fit);
+    Status status = cirque::FitAngles(problem, *objective, **method, control_, &fit);
+    if (status.code() == StatusCode::kNotConverged && result_.intrinsic.flips.empty()) {
+      RetryByInteriorPoint(problem, *objective, &fit, &status);
+    }
     certificate_.infeasibility = std::move(fit.infeasibility);
     Record("angle", fit.solve);
     Put({{"smallest_angle", fit.kkt.smallest_angle},
@@ -135,6 +138,21 @@ class Flattening {
          {"angle_gap", fit.kkt.RelativeGap()}});
     result_.angles = std::move(fit.angles);
     return status;
+  }
+
+  /// The dual can wander where no coherent angles exist, or hardly any, before its iterates prove
+  /// it. The interior point then decides, if it takes the objective: angles or a proof.
+  void RetryByInteriorPoint(const AngleFitProblem& problem,
+                            const std::shared_ptr<const AngleObjective>& objective,
+                            AngleFitResult* fit, Status* status) {
+    const auto method = MakeAngleFitMethod(kForRanges);
+    if (!method.ok()) return;
+    AngleFitResult retried;
+    const Status again = cirque::FitAngles(problem, objective, **method, control_, &retried);
+    if (!again.ok() && again.code() != StatusCode::kInfeasible) return;
+    certificate_.values["angle_fit_retried"] = 1;
+    *fit = std::move(retried);
+    *status = again;
   }
 
   Status SolveRadii() {
