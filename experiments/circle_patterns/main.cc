@@ -26,6 +26,7 @@ DEFINE_bool(fill_holes, false,
             "close all boundary loops but the longest for the solve; the fill is not written");
 DEFINE_string(triangulation, cirque::ParameterizeOptions().triangulation,
               "delaunay: intrinsic Delaunay flips first; input: the file's connectivity");
+DEFINE_string(layout, cirque::ParameterizeOptions().layout, "directions or least_squares");
 DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certificate.json");
 DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of the angle fit");
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
@@ -80,8 +81,8 @@ CirclePatternsJob JobOfFlags() {
   job.con = FLAGS_oc;
   job.fill_holes = FLAGS_fill_holes;
   job.certificate = FLAGS_certificate;
-  job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy,
-                 FLAGS_strategy,      FLAGS_epsilon,   FLAGS_max_iterations};
+  job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy,
+                 FLAGS_layout,        FLAGS_epsilon,   FLAGS_max_iterations};
   return job;
 }
 

@@ -45,6 +45,12 @@ const std::vector<MethodField>& MethodFields() {
        AngleStrategyNames()},
       {"strategy", &Options::strategy, "the solver of the log radii", 0, 0,
        SolverStrategies().Names()},
+      {"layout",
+       &Options::layout,
+       "how the flat triangles are placed",
+       0,
+       0,
+       {"directions", "least_squares"}},
       {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
       {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},
   };

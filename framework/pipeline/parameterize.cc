@@ -9,7 +9,9 @@
 #include "cirque/core/timer.h"
 #include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/layout/packing.h"
 #include "cirque/layout/planar_layout.h"
+#include "cirque/layout/poisson_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/simple_cones.h"
@@ -29,6 +31,13 @@ StatusOr<Cut> ChooseCut(const Triangulation& t, const FlatOnInput& flat,
   return *given;
 }
 
+StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& t,
+                                const FlatOnInput& flat, const Cut& cut) {
+  if (method == "directions") return LayOutPatches(t, flat.angles, flat.lengths, cut);
+  if (method == "least_squares") return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
+  return Status::InvalidInput(UnknownName("layout", method, {"directions", "least_squares"}));
+}
+
 Status Unrepresentable(const Certificate& certificate, const std::vector<Index>& flipped) {
   return Status(
       StatusCode::kUnrepresentable,
@@ -38,15 +47,18 @@ Status Unrepresentable(const Certificate& certificate, const std::vector<Index>&
           certificate.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
 }
 
-/// Cuts and lays out; refuses a layout with a flipped triangle.
+/// Cuts and lays out, several patches side by side in the unit square; refuses a layout with a
+/// flipped triangle.
 Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* given,
-              Parameterization* result) {
+              const std::string& method, Parameterization* result) {
   Certificate& certificate = result->certificate;
   const FlatOnInput& flat = result->flat.on_input;
   const std::vector<Index> cones = ConeVertices(t, targets);
   StatusOr<Cut> cut = ChooseCut(t, flat, cones, given);
   if (!cut.ok()) return cut.status();
-  PlanarLayout layout = LayOutPatches(t, flat.angles, flat.lengths, *cut);
+  StatusOr<PlanarLayout> laid_out = LayOutBy(method, t, flat, *cut);
+  if (!laid_out.ok()) return laid_out.status();
+  PlanarLayout& layout = *laid_out;
   const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
   const std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   certificate.values.merge(
@@ -61,7 +73,8 @@ Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* giv
                                     {"flipped_triangles", static_cast<double>(flipped.size())}});
   if (!flipped.empty()) return Unrepresentable(certificate, flipped);
   result->cut = *std::move(cut);
-  result->uv = std::move(layout.uv);
+  result->uv = layout.patches.count > 1 ? PackPatches(layout.uv, layout.patches, {}).uv
+                                        : std::move(layout.uv);
   return Status();
 }
 
@@ -80,10 +93,11 @@ void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterizatio
 }
 
 Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
-                        const ConeTargets& targets, const Cut* cut, Parameterization* result) {
+                        const ConeTargets& targets, const Cut* cut, const std::string& layout,
+                        Parameterization* result) {
   Certificate& certificate = result->certificate;
   const Timer layout_timer;
-  const Status status = LayOut(t, targets, cut, result);
+  const Status status = LayOut(t, targets, cut, layout, result);
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
@@ -97,7 +111,7 @@ Status Run(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets
            Parameterization* result) {
   const Status status =
       Flatten(t, lengths, targets, options, control, &result->certificate, &result->flat);
-  return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, result) : status;
+  return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, options.layout, result) : status;
 }
 
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
@@ -162,7 +176,8 @@ Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, cons
   flat.on_input = {MeasureCornerAngles(t, lengths), lengths, {}};
   const ConeTargets targets = MeasuredTargets(t, flat.on_input.angles);
   result->certificate.values["log_radius_range"] = 0;
-  return Conclude(LayOutAndMeasure(t, lengths, targets, cut, result), timer, &result->certificate);
+  return Conclude(LayOutAndMeasure(t, lengths, targets, cut, ParameterizeOptions().layout, result),
+                  timer, &result->certificate);
 }
 
 }  // namespace cirque

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cirque/cuts/shortest_path.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/metrics/similarity.h"
 
@@ -83,6 +84,44 @@ TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
   const auto json = nlohmann::json::parse(map.certificate.ToJson());
   EXPECT_EQ(json["outcome"], "infeasible");
   EXPECT_FALSE(json["infeasibility"]["face_multiplier"].empty());
+}
+
+TEST(Parameterize, LeastSquaresLayoutIsTheSameMap) {
+  const Surface surface = GeneratedSurface("blob", 800);
+  ParameterizeOptions options;
+  options.layout = "least_squares";
+  const Parameterization smooth = Flatten(surface, StatusCode::kOk, options);
+  const Parameterization tree = Flatten(surface);
+  EXPECT_LT(FitSimilarity(smooth.uv.value, tree.uv.value).max_error, 1e-7);
+}
+
+TEST(Parameterize, SeveralPatchesArePackedIntoTheUnitSquare) {
+  const Surface surface = GeneratedSurface("bumpy_terrain", 600);
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  const Index from = t.Tail(loop.front()), to = t.Tail(loop[loop.size() / 2]);
+  const StatusOr<Cut> cut =
+      CutAlongShortestPaths(t, MeasureEdgeLengths(surface).value, {{from, to}});
+  ASSERT_TRUE(cut.ok()) << cut.status().message();
+  Parameterization map;
+  const Status status = Parameterize(surface, FreeBoundaryTargets(t), &*cut, {}, {}, &map);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_GE(map.certificate.values.at("patches"), 2);
+  EXPECT_EQ(map.certificate.overlap, "injective");
+  for (const Eigen::Vector2d& p : map.uv.value) {
+    EXPECT_GE(p.minCoeff(), -1e-12);
+    EXPECT_LE(p.maxCoeff(), 1 + 1e-12);
+  }
+}
+
+TEST(Parameterize, ACutThatMissesAConeIsRefused) {
+  const Surface surface = GeneratedSurface("sphere", 400);
+  const Triangulation& t = surface.triangulation;
+  Cut nothing = {std::vector<bool>(t.num_edges(), false)};
+  Parameterization map;
+  const Status status = Parameterize(surface, *DefaultTargets(surface), &nothing, {}, {}, &map);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+  EXPECT_TRUE(map.uv.value.empty());
 }
 
 TEST(Parameterize, FlipsRemoveWhatMakesAKleetopeInfeasible) {
