@@ -1,4 +1,5 @@
 // The thesis's program: a triangle mesh in, its conformal map out.
+#include <fstream>
 #include <iostream>
 
 #include <gflags/gflags.h>
@@ -45,6 +46,7 @@ constexpr char kUsage[] =
     "Flattens a triangle mesh conformally by a circle pattern.\n"
     "  circle_patterns -io IN.obj -oo OUT.obj\n"
     "  circle_patterns -ic IN.con -oo OUT.obj\n"
+    "  circle_patterns OPTIONS.txt           all options in one text file\n"
     "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
@@ -86,12 +88,25 @@ CirclePatternsJob JobOfFlags() {
   return job;
 }
 
+/// The thesis's other way to call the program: all options in one text file.
+StatusOr<std::vector<std::string>> ParseOptionsFile(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return Status::InvalidInput(path + ": cannot read this file of options; see --help");
+  std::vector<std::string> words = {"circle_patterns"};
+  for (std::string word; file >> word;) words.push_back(word);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  const auto others = ParseFlags(static_cast<int>(arguments.size()), arguments.data(), kSource);
+  return others.ok() ? others : others.status().In(path);
+}
+
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
-  const StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
+  StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
+  if (others.ok() && argc == 2 && others->size() == 1) others = ParseOptionsFile(others->front());
   if (!others.ok()) return Conclude(others.status());
   if (FLAGS_help) {
     std::cout << kUsage << "\n"

@@ -144,6 +144,18 @@ TEST_F(ProgramsTest, AMetricIsSolvedAnew) {
   EXPECT_LT(ratio.maxCoeff() / ratio.minCoeff() - 1, 1e-7);
 }
 
+TEST_F(ProgramsTest, OptionsMayStandInOneFile) {
+  const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {200, 1}));
+  const std::string out = folder_.Path("out.obj"), options = folder_.Path("options.txt");
+  std::ofstream(options) << "-io " << in << "\n-oo " << out << "\n-triangulation input\n";
+  EXPECT_EQ(RunProgram("circle_patterns " + options).exit_status, 0);
+  EXPECT_EQ(RunProgram("verify_map " + in + " " + out).exit_status, 0);
+  std::ofstream(options) << "-oi " << in << "\n";
+  const ProgramResult refused = RunProgram("circle_patterns " + options);
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_THAT(refused.output, HasSubstr("did you mean"));
+}
+
 TEST_F(ProgramsTest, APlantedFlipIsAnInvalidMap) {
   const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {300, 1}));
   const std::string out = folder_.Path("out.obj");
