@@ -11,6 +11,7 @@ void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::
   Eigen::VectorXd gradient, direction;
   if (!run->Begin(*x, &gradient)) return;
   while (run->Continue(gradient)) {
+    if (run->StoppedAtRounding(gradient)) return;
     if (!find_direction(*x, gradient, &shift, &direction)) {
       run->End(Termination::kStalled, "the Hessian could not be made positive definite");
       return;

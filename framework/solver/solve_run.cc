@@ -6,6 +6,14 @@
 #include <fmt/format.h>
 
 namespace cirque {
+namespace {
+
+constexpr double kProgress =
+    0.9;                        ///< a gradient below this share of the least one so far is progress
+constexpr double kDeep = 1e-8;  ///< only gradients below this share of the first may be rounding
+constexpr int kPatience = 4;    ///< steps without progress
+
+}  // namespace
 
 SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
                    const Energy& energy)
@@ -64,6 +72,20 @@ bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
     return false;
   }
   summary_.initial_gradient_max = gradient->lpNorm<Eigen::Infinity>();
+  return true;
+}
+
+bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {
+  const double gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  if (gradient_max < kProgress * least_gradient_) {
+    least_gradient_ = gradient_max;
+    steps_since_least_ = 0;
+    return false;
+  }
+  if (++steps_since_least_ < kPatience) return false;
+  if (least_gradient_ > kDeep * summary_.initial_gradient_max) return false;
+  End(Termination::kStalled,
+      fmt::format("gradient {:.2e} no longer falls: its terms are rounded there", gradient_max));
   return true;
 }
 

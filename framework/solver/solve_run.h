@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "cirque/core/timer.h"
@@ -31,6 +32,10 @@ class SolveRun {
   /// Whether another step is due at this gradient; otherwise the termination is set.
   bool Continue(const Eigen::VectorXd& gradient);
 
+  /// For second-order methods: ends the solve where the gradient, small already, has not become
+  /// smaller for some steps.
+  bool StoppedAtRounding(const Eigen::VectorXd& gradient);
+
   /// Records an accepted step, its value where the strategy knows it. False when the callback ended
   /// the solve.
   bool Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length,
@@ -51,6 +56,8 @@ class SolveRun {
   const Energy& energy_;
   Timer timer_;
   SolveSummary summary_;
+  double least_gradient_ = std::numeric_limits<double>::infinity();
+  int steps_since_least_ = 0;
 };
 
 }  // namespace cirque
