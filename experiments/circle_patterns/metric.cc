@@ -4,25 +4,14 @@
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/cuts/cut_file.h"
 #include "cirque/mesh/con_file.h"
-#include "cirque/mesh/cone_file.h"
 #include "cirque/mesh/io.h"
-#include "cirque/mesh/simple_cones.h"
 
+#include "experiments/circle_patterns/prescriptions.h"
 #include "experiments/circle_patterns/run.h"
 
 namespace cirque {
 namespace {
-
-StatusOr<ConeTargets> TargetsOf(const CirclePatternsJob& job, const ConMesh& metric) {
-  const Triangulation& t = metric.triangulation;
-  const FileVertices vertices = {t.num_vertices, OwnNumbers(t).vertex};
-  if (!job.angle_sums.empty()) return ReadAngleSumFile(job.angle_sums, t, vertices);
-  if (!job.cones.empty()) return ReadConeFile(job.cones, t, vertices);
-  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  return SimpleConeTargets(t, metric.lengths);
-}
 
 /// The opened surface in the plane, its points also its texture coordinates.
 PolygonSoup PlanarMesh(const Triangulation& t, const Parameterization& map) {
@@ -61,19 +50,17 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
   const StatusOr<ConMesh> metric = ReadCon(job.input_con);
   if (!metric.ok()) return metric.status();
   const Triangulation& t = metric->triangulation;
-  std::optional<Cut> cut;
-  if (!job.cut.empty()) {
-    StatusOr<Cut> read = ReadCutFile(job.cut, t, OwnNumbers(t));
-    if (!read.ok()) return read.status();
-    cut = *std::move(read);
-  }
-  const Cut* given = cut ? &*cut : nullptr;
+  const FileNumbers numbers = OwnNumbers(t);
+  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, numbers);
+  if (!cut.ok()) return cut.status();
+  const Cut* given = *cut ? &**cut : nullptr;
   Parameterization map;
   Status status;
   if (job.layout_only) {
     status = LayOutFlatMetric(t, metric->lengths, given, &map);
   } else {
-    const StatusOr<ConeTargets> targets = TargetsOf(job, *metric);
+    const StatusOr<ConeTargets> targets =
+        PrescribedTargets(job, t, metric->lengths, {t.num_vertices, numbers.vertex});
     if (!targets.ok()) return targets.status();
     status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
   }

@@ -4,18 +4,19 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/timer.h"
-#include "cirque/cuts/cut_file.h"
 #include "cirque/mesh/con_file.h"
-#include "cirque/mesh/cone_file.h"
 #include "cirque/mesh/hole_filling.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
+
+#include "experiments/circle_patterns/prescriptions.h"
 
 namespace cirque {
 namespace {
@@ -55,20 +56,37 @@ std::string Summary(const Certificate& c) {
   return text;
 }
 
-/// What the job prescribes, or else the default of the surface.
-StatusOr<ConeTargets> TargetsOf(const CirclePatternsJob& job, const PolygonSoup& soup,
-                                const Surface& surface) {
-  const FileVertices vertices = {static_cast<Index>(soup.position.size()), surface.soup_vertex};
-  if (!job.angle_sums.empty()) {
-    return ReadAngleSumFile(job.angle_sums, surface.triangulation, vertices);
-  }
-  if (!job.cones.empty()) return ReadConeFile(job.cones, surface.triangulation, vertices);
-  return DefaultTargets(surface);
-}
-
-Status WriteFlatMetric(const CirclePatternsJob& job, const FlatSurface& flat) {
+/// The map of the input's own triangles, and the flat metric if it was asked for.
+Status WriteMap(const CirclePatternsJob& job, const PolygonSoup& soup, const Surface& surface,
+                const CornerUv& uv, const FlatSurface& flat) {
+  if (Status s = WriteMesh(job.output, AttachUv(soup, surface, uv)); !s.ok()) return s;
   if (job.con.empty()) return Status();
   return WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+}
+
+/// The surface to solve on where holes are to be filled; nothing otherwise.
+StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
+                                                   const Surface& surface, std::ostream& report) {
+  if (!job.fill_holes) return std::optional<FilledSurface>();
+  StatusOr<FilledSurface> filled = FillHoles(surface, KeptLoops::kLongest);
+  if (!filled.ok()) return filled.status().In(job.input);
+  report << fmt::format("{} holes filled for the solve\n", filled->num_filled_loops);
+  return std::optional<FilledSurface>(*std::move(filled));
+}
+
+/// Targets and cut from the job's files, and the map for them.
+Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices,
+                           const Surface& surface, const SolveControl& control,
+                           Parameterization* map) {
+  const Triangulation& t = surface.triangulation;
+  const StatusOr<ConeTargets> targets = PrescribedTargets(job, t, MeasureEdgeLengths(surface),
+                                                          {num_file_vertices, surface.soup_vertex});
+  if (!targets.ok()) return targets.status();
+  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, NumbersInFile(surface));
+  if (!cut.ok()) return cut.status();
+  const Status status =
+      Parameterize(surface, *targets, *cut ? &**cut : nullptr, job.options, control, map);
+  return status.code() == StatusCode::kInvalidInput ? status.In(job.input) : status;
 }
 
 /// The faces and vertices that carry a proof, as a table and as a coloured mesh.
@@ -112,40 +130,24 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   if (!surface.ok()) return surface.status().In(job.input);
   const double preflight_seconds = timer.Seconds() - read_seconds;
 
-  FilledSurface filled = {*surface, surface->triangulation.num_faces(),
-                          surface->triangulation.num_vertices, 0};
-  if (job.fill_holes) {
-    StatusOr<FilledSurface> closed = FillHoles(*surface, KeptLoops::kLongest);
-    if (!closed.ok()) return closed.status().In(job.input);
-    filled = *std::move(closed);
-    report << fmt::format("{} holes filled for the solve\n", filled.num_filled_loops);
-  }
-  const StatusOr<ConeTargets> targets = TargetsOf(job, *soup, filled.surface);
-  if (!targets.ok()) return targets.status();
-  std::optional<Cut> cut;
-  if (!job.cut.empty()) {
-    StatusOr<Cut> read =
-        ReadCutFile(job.cut, filled.surface.triangulation, NumbersInFile(filled.surface));
-    if (!read.ok()) return read.status();
-    cut = *std::move(read);
-  }
+  const auto filled = FillIfAsked(job, *surface, report);
+  if (!filled.ok()) return filled.status();
+  const Surface& solved = *filled ? (*filled)->surface : *surface;
 
   Parameterization map;
-  Status status =
-      Parameterize(filled.surface, *targets, cut ? &*cut : nullptr, job.options, control, &map);
+  const Status status =
+      ParameterizeAsAsked(job, static_cast<Index>(soup->position.size()), solved, control, &map);
   map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
-  if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
+  if (status.code() == StatusCode::kInvalidInput) return status;
   if (status.code() == StatusCode::kCancelled) return status;
   if (status.ok()) {
     report << Summary(map.certificate);
     const Timer write_timer;
-    const Status written =
-        WriteMesh(job.output, AttachUv(*soup, *surface, WithoutFill(filled, map.uv)));
-    if (!written.ok()) return written;
+    const CornerUv uv = *filled ? WithoutFill(**filled, map.uv) : std::move(map.uv);
+    if (Status s = WriteMap(job, *soup, *surface, uv, map.flat); !s.ok()) return s;
     map.certificate.seconds["write"] = write_timer.Seconds();
-    if (Status s = WriteFlatMetric(job, map.flat); !s.ok()) return s;
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());
   }
@@ -155,8 +157,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   report << "certificate " << certificate << "\n";
   const InfeasibilityProof& proof = map.certificate.infeasibility;
   if (!proof.empty()) {
-    if (Status s = WriteCarriers(CarrierStem(job), filled.surface, proof, report); !s.ok())
-      return s;
+    if (Status s = WriteCarriers(CarrierStem(job), solved, proof, report); !s.ok()) return s;
   }
   return status;
 }

@@ -22,6 +22,16 @@ namespace {
 constexpr int kMaxRounds = 6;  ///< of locking and solving again
 constexpr char kDual[] = "dual", kForRanges[] = "interior_point";
 
+double Area(const Triangulation& t, const EdgeLengths& lengths) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  double area = 0;
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    area += 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
+            std::sin(angles.value[3 * f + 2]);
+  }
+  return area;
+}
+
 /// One surface on its way to a flat metric.
 class Flattening {
  public:
@@ -34,7 +44,8 @@ class Flattening {
         options_(options),
         control_(control),
         certificate_(*certificate),
-        result_(*result) {}
+        result_(*result),
+        source_area_(Area(input, lengths)) {}
 
   Status Run() {
     if (Status s = CheckTargets(input_, targets_, &certificate_.infeasibility); !s.ok()) return s;
@@ -183,17 +194,14 @@ class Flattening {
 
   /// Shifts the gauge so that the image has the surface's area.
   void ScaleToSurfaceArea(const CornerAngles& flat) {
-    const CornerAngles source = MeasureCornerAngles(input_, lengths_);
-    double image_area = 0, source_area = 0;
+    double image_area = 0;
     for (Index f = 0; f < input_.num_faces(); ++f) {
       const double radius = std::exp(result_.log_radii.value[f]);
       double image = 2 * radius * radius;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= std::sin(flat.value[h]);
       image_area += image;
-      source_area += 0.5 * lengths_.value[input_.edge[3 * f]] *
-                     lengths_.value[input_.edge[3 * f + 1]] * std::sin(source.value[3 * f + 2]);
     }
-    result_.log_radii.value.array() += 0.5 * std::log(source_area / image_area);
+    result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);
   }
 
   void Record(const std::string& stage, const SolveSummary& solve) {
@@ -212,6 +220,7 @@ class Flattening {
   const SolveControl& control_;
   Certificate& certificate_;
   FlatSurface& result_;
+  const double source_area_;
 };
 
 }  // namespace

@@ -142,10 +142,13 @@ void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
 
 }  // namespace
 
-StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
-  const Triangulation& t = surface.triangulation;
+StatusOr<ConeTargets> DefaultTargets(const Triangulation& t, const EdgeLengths& lengths) {
   if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  return SimpleConeTargets(t, MeasureEdgeLengths(surface));
+  return SimpleConeTargets(t, lengths);
+}
+
+StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
+  return DefaultTargets(surface.triangulation, MeasureEdgeLengths(surface));
 }
 
 Status Parameterize(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,

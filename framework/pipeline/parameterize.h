@@ -21,6 +21,8 @@ struct Parameterization {
 
 /// Interior vertices flat and boundary vertices free; on a closed surface the cones of
 /// SimpleConeTargets.
+StatusOr<ConeTargets> DefaultTargets(const Triangulation& triangulation,
+                                     const EdgeLengths& lengths);
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
 /// Maps a surface of any topology whose angle sums shall lie in `targets` to the plane: intrinsic

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "cirque/core/cut.h"
+#include "cirque/core/metric.h"
+#include "cirque/core/status.h"
+#include "cirque/cuts/cut_file.h"
+#include "cirque/mesh/cone_file.h"
+
+#include "experiments/circle_patterns/run.h"
+
+namespace cirque {
+
+/// The angle sums that the job's files prescribe, or else the default of the surface.
+StatusOr<ConeTargets> PrescribedTargets(const CirclePatternsJob& job,
+                                        const Triangulation& triangulation,
+                                        const EdgeLengths& lengths, const FileVertices& vertices);
+
+/// The cut of the job's file; nothing when it names none.
+StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job,
+                                           const Triangulation& triangulation,
+                                           const FileNumbers& numbers);
+
+}  // namespace cirque
