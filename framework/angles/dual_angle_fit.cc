@@ -18,6 +18,9 @@ Status DualAngleFit::Fit(const AngleFitProblem& problem,
   };
   Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
   result->solve = strategy_->Minimize(energy, {observe, control.cancelled}, &y);
+  if (result->solve.termination == Termination::kUnsupported) {
+    return Status::InvalidInput("angle fit: " + result->solve.message);
+  }
   Eigen::VectorXd alpha = energy.Angles(y.data());
   return FinishFit(problem, *objective, watch.proof(), std::move(alpha), std::move(y), result);
 }

@@ -29,8 +29,7 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
   const Triangulation& t = constraints_.triangulation();
   const int rows = constraints_.num_rows();
   CompensatedSum sum;
-  // With interval targets this is the slope on the side where y is; fixed targets have both sides
-  // equal.
+  // The slope on the side where y is, at a kink that from below; fixed targets have both equal.
   const auto target = [&](int row) {
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   };
@@ -71,7 +70,18 @@ bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
 }
 
 std::vector<int> DualAngleEnergy::GaugeParameters() const {
-  return constraints_.HasGauge() ? std::vector<int>{constraints_.num_faces()} : std::vector<int>{};
+  // Along the kernel of A' the term b.y changes with the sides of ranged multipliers.
+  const bool constant = constraints_.HasGauge() && !constraints_.HasRanges();
+  return constant ? std::vector<int>{constraints_.num_faces()} : std::vector<int>{};
+}
+
+std::vector<Kink> DualAngleEnergy::Kinks() const {
+  std::vector<Kink> kinks;
+  for (int row = constraints_.num_faces(); row < constraints_.num_rows(); ++row) {
+    const double range = constraints_.Upper(row) - constraints_.Lower(row);
+    if (range > 0) kinks.push_back({row, range});
+  }
+  return kinks;
 }
 
 Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {

@@ -15,7 +15,9 @@ namespace cirque {
 ///   f(y) = sum_e g_e((A'y)_e) - b.y,      grad f = A alpha(y) - b,      Hess f = A diag(d alpha /
 ///   d s) A'
 /// with g_e the objective's conjugate over Q_e. min f = -min of the primal objective; where the
-/// constraints are infeasible f is unbounded below along a Farkas certificate.
+/// constraints are infeasible f is unbounded below along a Farkas certificate. The sum of a ranged
+/// vertex lies in an interval instead of at b_v: its multiplier pays b_v = lower where it is
+/// positive and b_v = upper where it is not, a kink at 0.
 class DualAngleEnergy final : public Energy {
  public:
   /// `reference` (3F angles [rad]) and the constraints' triangulation must outlive the energy.
@@ -26,6 +28,7 @@ class DualAngleEnergy final : public Energy {
   bool Evaluate(const double* y, double* value, double* gradient) const override;
   bool Hessian(const double* y, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override;
+  std::vector<Kink> Kinks() const override;
   double LeastHessianShift() const override { return 1e-9; }
 
   /// alpha(y): the maximisers of all edges, 3F [rad].

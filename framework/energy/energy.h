@@ -19,6 +19,12 @@ enum class ResidualForm {
               ///< gradient, and J'J = H^2
 };
 
+/// Where an energy has a kink: at 0 of this parameter its slope jumps upwards by `jump` >= 0.
+struct Kink {
+  int parameter;
+  double jump;
+};
+
 /// A function of n parameters that strategies minimise. It is a ceres::FirstOrderFunction, so any
 /// Ceres line search takes it as it is:
 ///   Evaluate(x, value, gradient): gradient may be null; false when x is outside the domain, which
@@ -47,6 +53,10 @@ class Energy : public ceres::FirstOrderFunction {
   /// Least multiple of the identity to add to the Hessian: positive where it can be singular beyond
   /// the gauge.
   virtual double LeastHessianShift() const { return 0; }
+
+  /// The parameters at whose 0 the energy is not differentiable. There Evaluate gives the slope from
+  /// below; everywhere else the energy is as smooth as without kinks.
+  virtual std::vector<Kink> Kinks() const { return {}; }
 
   virtual ResidualForm residual_form() const { return ResidualForm::kAbsent; }
 

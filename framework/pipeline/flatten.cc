@@ -20,7 +20,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxRounds = 6;  ///< of locking and solving again
-constexpr char kDual[] = "dual", kForRanges[] = "interior_point";
+constexpr char kRetry[] = "interior_point";
 
 double Area(const Triangulation& t, const EdgeLengths& lengths) {
   const CornerAngles angles = MeasureCornerAngles(t, lengths);
@@ -104,23 +104,6 @@ class Flattening {
     return {{"max_iterations", std::to_string(options_.max_iterations)}};
   }
 
-  /// The method asked for. The dual has a kink at zero for every ranged angle sum, which the
-  /// unconstrained strategies do not treat: ranges are for the primal methods.
-  StatusOr<std::shared_ptr<const AngleFitMethod>> Method(
-      const AngleConstraints& constraints) const {
-    const bool primal =
-        AngleFitMethods().Find(options_.angle_strategy).ok() && options_.angle_strategy != kDual;
-    if (!constraints.HasRanges() || primal) {
-      return MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
-    }
-    if (options_.angle_strategy == ParameterizeOptions().angle_strategy) {
-      return MakeAngleFitMethod(kForRanges, SolverOptions());
-    }
-    return Status::InvalidInput(fmt::format(
-        "angle_strategy '{}' takes no ranged angle sums; give single angles, or use '{}'",
-        options_.angle_strategy, kForRanges));
-  }
-
   const Triangulation& t() const { return result_.intrinsic.triangulation; }
 
   Status FitAngles() {
@@ -128,7 +111,7 @@ class Flattening {
     if (!objective.ok()) return objective.status();
     const ConeTargets targets = TransferTargets(input_, targets_, t());
     const AngleConstraints constraints(t(), targets);
-    const auto method = Method(constraints);
+    const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
     if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
     const AngleFitProblem problem = {constraints, reference.value, options_.epsilon};
@@ -156,7 +139,7 @@ class Flattening {
   void RetryByInteriorPoint(const AngleFitProblem& problem,
                             const std::shared_ptr<const AngleObjective>& objective,
                             AngleFitResult* fit, Status* status) {
-    const auto method = MakeAngleFitMethod(kForRanges);
+    const auto method = MakeAngleFitMethod(kRetry);
     if (!method.ok()) return;
     AngleFitResult retried;
     const Status again = cirque::FitAngles(problem, objective, **method, control_, &retried);

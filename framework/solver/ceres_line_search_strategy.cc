@@ -156,7 +156,7 @@ SolveSummary CeresLineSearchStrategy::Minimize(const Energy& energy, const Solve
     return run.Finish(*x);
   }
   Eigen::VectorXd gradient;
-  if (run.Begin(*x, &gradient) && run.Continue(gradient)) {
+  if (run.RequireSmooth() && run.Begin(*x, &gradient) && run.Continue(gradient)) {
     SolveInRounds(options_, gradient, &run, x);
   }
   return run.Finish(*x);

@@ -155,7 +155,7 @@ SolveSummary CeresTrustRegionStrategy::Minimize(const Energy& energy, const Solv
     return run.Finish(*x);
   }
   Eigen::VectorXd gradient;
-  if (run.Begin(*x, &gradient) && run.Continue(gradient)) {
+  if (run.RequireSmooth() && run.Begin(*x, &gradient) && run.Continue(gradient)) {
     TrustRegionSolve(options_, gradient, &run, x).Execute();
   }
   return run.Finish(*x);

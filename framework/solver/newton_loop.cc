@@ -2,9 +2,19 @@
 
 #include <utility>
 
+#include "cirque/solver/kinked_line_search.h"
 #include "cirque/solver/line_search.h"
 
 namespace cirque {
+namespace {
+
+LineSearchResult Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                        const Eigen::VectorXd& direction, SolveRun* run) {
+  return run->kinks().empty() ? SearchAlong(x, gradient, direction, run)
+                              : SearchAlongKinks(run->kinks(), x, gradient, direction, run);
+}
+
+}  // namespace
 
 void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x) {
   HessianShift shift(run->energy());
@@ -16,7 +26,7 @@ void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::
       run->End(Termination::kStalled, "the Hessian could not be made positive definite");
       return;
     }
-    LineSearchResult step = SearchAlong(*x, gradient, direction, run);
+    LineSearchResult step = Search(*x, gradient, direction, run);
     if (!step.found) {
       if (shift.Raise()) continue;
       run->End(Termination::kStalled, "no step along the Newton direction improves x");

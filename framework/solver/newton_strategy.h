@@ -16,7 +16,7 @@ const OptionTable<NewtonOptions>& NewtonOptionTable();
 /// derivatives. Semi-smooth energies whose generalised Hessian can be singular are regularised as
 /// Levenberg and Marquardt do: a multiple of the identity that grows 100-fold (to at least 1e-5)
 /// when steps below 1/100 are wanted or the factorisation fails, and shrinks again after full
-/// steps.
+/// steps. At kinks the method is orthant-wise: see Kinks.
 class NewtonStrategy final : public SolverStrategy {
  public:
   explicit NewtonStrategy(const NewtonOptions& options) : options_(options) {}

@@ -17,7 +17,7 @@ constexpr int kPatience = 4;    ///< steps without progress
 
 SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
                    const Energy& energy)
-    : limits_(limits), control_(control), energy_(energy) {
+    : limits_(limits), control_(control), energy_(energy), kinks_(energy) {
   summary_.strategy = std::move(strategy);
 }
 
@@ -26,6 +26,9 @@ bool SolveRun::Value(const double* x, double* value, Eigen::VectorXd* gradient) 
   if (gradient) gradient->resize(energy_.NumParameters());
   const bool defined = energy_.Evaluate(x, value, gradient ? gradient->data() : nullptr) &&
                        std::isfinite(*value) && (!gradient || gradient->allFinite());
+  if (gradient && defined && !kinks_.empty()) {
+    kinks_.TakeLeastSubgradient(Eigen::Map<const Eigen::VectorXd>(x, gradient->size()), gradient);
+  }
   ++summary_.value_evaluations;
   if (gradient) ++summary_.gradient_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
@@ -36,14 +39,18 @@ bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
   const Timer timer;
   gradient->resize(x.size());
   const bool defined = energy_.Gradient(x.data(), gradient->data()) && gradient->allFinite();
+  kinks_.TakeLeastSubgradient(x, gradient);
   ++summary_.gradient_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
   return defined;
 }
 
 bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
+  Eigen::VectorXd subgradient;
+  if (!kinks_.empty() && !Gradient(x, &subgradient)) return false;
   const Timer timer;
   const bool defined = energy_.Hessian(x.data(), lower);
+  if (defined && !kinks_.empty()) kinks_.Hold(x, subgradient, lower);
   ++summary_.hessian_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
   return defined;
@@ -73,6 +80,13 @@ bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
   }
   summary_.initial_gradient_max = gradient->lpNorm<Eigen::Infinity>();
   return true;
+}
+
+bool SolveRun::RequireSmooth() {
+  if (kinks_.empty()) return true;
+  End(Termination::kUnsupported,
+      "the energy has kinks, which only newton and newton_cg treat; use one of them, or interior_point for an angle fit");
+  return false;
 }
 
 bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {

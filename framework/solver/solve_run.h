@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cirque/core/timer.h"
+#include "cirque/solver/kinks.h"
 #include "cirque/solver/solver_strategy.h"
 #include "cirque/solver/sparse_cholesky.h"
 
@@ -16,7 +17,8 @@ class SolveRun {
   SolveRun(std::string strategy, const SolverLimits& limits, const SolveControl& control,
            const Energy& energy);
 
-  /// The energy's forms at x, counted and timed. False outside the domain.
+  /// The energy's forms at x, counted and timed. False outside the domain. Of an energy with kinks:
+  /// the subgradient of least norm, and the Hessian of the parameters that are not held at theirs.
   bool Value(const double* x, double* value, Eigen::VectorXd* gradient);  ///< gradient may be null
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
@@ -28,6 +30,10 @@ class SolveRun {
   /// Evaluates value and gradient at the start. False (and ended as kInvalidStart) outside the
   /// domain.
   bool Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
+
+  /// For strategies that know smooth energies only: false (and ended as kUnsupported) where there
+  /// are kinks.
+  bool RequireSmooth();
 
   /// Whether another step is due at this gradient; otherwise the termination is set.
   bool Continue(const Eigen::VectorXd& gradient);
@@ -49,11 +55,13 @@ class SolveRun {
 
   SolveSummary& summary() { return summary_; }
   const Energy& energy() const { return energy_; }
+  const Kinks& kinks() const { return kinks_; }
 
  private:
   const SolverLimits limits_;
   const SolveControl& control_;
   const Energy& energy_;
+  const Kinks kinks_;
   Timer timer_;
   SolveSummary summary_;
   double least_gradient_ = std::numeric_limits<double>::infinity();

@@ -101,7 +101,7 @@ TEST(AngleFitMethods, SummariesSayWhatWasDone) {
   }
 }
 
-TEST(AngleFitMethods, PrimalMethodsTakeRangedAngleSums) {
+TEST(AngleFitMethods, MethodsTakeRangedAngleSums) {
   // The rim's angle sums are held to a range that binds at some vertices and not at others.
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
   const Triangulation& t = surface.triangulation;
@@ -122,6 +122,15 @@ TEST(AngleFitMethods, PrimalMethodsTakeRangedAngleSums) {
   EXPECT_LT(Difference(interior, augmented), 1e-6);
   EXPECT_LT(interior.result.kkt.RelativeGap(), 1e-10);
   EXPECT_LT(interior.result.kkt.complementarity, 1e-10);
+  for (const char* newton : {"newton", "newton_cg"}) {
+    const Fitted dual = Fit(newton, "quadratic", surface, targets);
+    ASSERT_TRUE(dual.status.ok()) << dual.status.message();
+    EXPECT_LT(Difference(interior, dual), 1e-8) << newton;
+    EXPECT_LT(dual.result.kkt.complementarity, 1e-12) << newton;
+    EXPECT_LE(dual.result.solve.num_iterations(), 12) << newton;
+  }
+  const Fitted refused = Fit("ceres_line_search", "quadratic", surface, targets);
+  EXPECT_EQ(refused.status.code(), StatusCode::kInvalidInput) << refused.status.message();
   const auto y =
       interior.result.multipliers.tail(interior.result.multipliers.size() - t.num_faces());
   EXPECT_GT(y.maxCoeff(), 1e-3);  // some sums are held up, some down, some run free
