@@ -23,6 +23,10 @@ DEFINE_bool(no, false, "no optimisation: cut and lay out the metric of -ic, whic
 DEFINE_string(iv, "", "cone file: 'vertex min max' a line, angle sums in multiples of pi");
 DEFINE_string(angle_sums, "", "file of one target angle sum in radians per vertex, instead of -iv");
 DEFINE_string(ie, "", "edge-cut file: 'from to face' a line; without it a short cut is found");
+DEFINE_string(
+    cut_paths, "",
+    "'a-b,c-d': open shortest paths between these vertices, counted from 1, instead of -ie");
+DEFINE_bool(flip_back, false, "-oc after undoing every flip that the flat metric allows");
 DEFINE_bool(fill_holes, false,
             "close all boundary loops but the longest for the solve; the fill is not written");
 DEFINE_string(triangulation, cirque::ParameterizeOptions().triangulation,
@@ -65,6 +69,12 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (FLAGS_no && FLAGS_ic.empty()) {
     return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
   }
+  if (!FLAGS_ie.empty() && !FLAGS_cut_paths.empty()) {
+    return Status::InvalidInput("give one of -ie and -cut_paths");
+  }
+  if (FLAGS_flip_back && FLAGS_oc.empty()) {
+    return Status::InvalidInput("-flip_back is about the metric of -oc, which is missing");
+  }
   if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
     return Status::InvalidInput("-oo OUT is missing; see --help");
   }
@@ -80,7 +90,9 @@ CirclePatternsJob JobOfFlags() {
   job.cones = FLAGS_iv;
   job.angle_sums = FLAGS_angle_sums;
   job.cut = FLAGS_ie;
+  job.cut_paths = FLAGS_cut_paths;
   job.con = FLAGS_oc;
+  job.flip_back = FLAGS_flip_back;
   job.fill_holes = FLAGS_fill_holes;
   job.certificate = FLAGS_certificate;
   job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy,

@@ -29,16 +29,13 @@ PolygonSoup PlanarMesh(const Triangulation& t, const Parameterization& map) {
   return soup;
 }
 
-Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
-                    const Parameterization& map, std::ostream& report) {
+Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t, std::ostream& report,
+                    Parameterization* map) {
   if (!job.con.empty()) {
-    const FlatSurface& flat = map.flat;
-    Status status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
-    if (!status.ok()) return status;
-    report << "wrote       " << job.con << "\n";
+    if (Status s = WriteFlatMetric(job, report, map); !s.ok()) return s;
   }
   if (job.output.empty()) return Status();
-  if (Status s = WriteMesh(job.output, PlanarMesh(t, map)); !s.ok()) return s;
+  if (Status s = WriteMesh(job.output, PlanarMesh(t, *map)); !s.ok()) return s;
   report << "wrote       " << job.output << "\n";
   return Status();
 }
@@ -51,7 +48,7 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
   if (!metric.ok()) return metric.status();
   const Triangulation& t = metric->triangulation;
   const FileNumbers numbers = OwnNumbers(t);
-  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, numbers);
+  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, metric->lengths, numbers);
   if (!cut.ok()) return cut.status();
   const Cut* given = *cut ? &**cut : nullptr;
   Parameterization map;
@@ -64,7 +61,7 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
     if (!targets.ok()) return targets.status();
     status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
   }
-  if (status.ok()) status = WriteOutputs(job, t, map, report);
+  if (status.ok()) status = WriteOutputs(job, t, report, &map);
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {
     return status.In(job.input_con);
   }

@@ -17,9 +17,9 @@ StatusOr<ConeTargets> PrescribedTargets(const CirclePatternsJob& job,
                                         const Triangulation& triangulation,
                                         const EdgeLengths& lengths, const FileVertices& vertices);
 
-/// The cut of the job's file; nothing when it names none.
+/// The cut of the job's file or paths (shortest in `lengths`); nothing when it names neither.
 StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job,
                                            const Triangulation& triangulation,
-                                           const FileNumbers& numbers);
+                                           const EdgeLengths& lengths, const FileNumbers& numbers);
 
 }  // namespace cirque

@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/core/text.h"
 #include "cirque/core/timer.h"
 #include "cirque/mesh/con_file.h"
+#include "cirque/mesh/flip_back.h"
 #include "cirque/mesh/hole_filling.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
@@ -58,10 +60,9 @@ std::string Summary(const Certificate& c) {
 
 /// The map of the input's own triangles, and the flat metric if it was asked for.
 Status WriteMap(const CirclePatternsJob& job, const PolygonSoup& soup, const Surface& surface,
-                const CornerUv& uv, const FlatSurface& flat) {
+                const CornerUv& uv, std::ostream& report, Parameterization* map) {
   if (Status s = WriteMesh(job.output, AttachUv(soup, surface, uv)); !s.ok()) return s;
-  if (job.con.empty()) return Status();
-  return WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+  return job.con.empty() ? Status() : WriteFlatMetric(job, report, map);
 }
 
 /// The surface to solve on where holes are to be filled; nothing otherwise.
@@ -79,10 +80,11 @@ Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices
                            const Surface& surface, const SolveControl& control,
                            Parameterization* map) {
   const Triangulation& t = surface.triangulation;
-  const StatusOr<ConeTargets> targets = PrescribedTargets(job, t, MeasureEdgeLengths(surface),
-                                                          {num_file_vertices, surface.soup_vertex});
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const StatusOr<ConeTargets> targets =
+      PrescribedTargets(job, t, lengths, {num_file_vertices, surface.soup_vertex});
   if (!targets.ok()) return targets.status();
-  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, NumbersInFile(surface));
+  const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, lengths, NumbersInFile(surface));
   if (!cut.ok()) return cut.status();
   const Status status =
       Parameterize(surface, *targets, *cut ? &**cut : nullptr, job.options, control, map);
@@ -100,6 +102,23 @@ Status WriteCarriers(const std::string& stem, const Surface& surface,
 }
 
 }  // namespace
+
+Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map) {
+  const FlatSurface& flat = map->flat;
+  Status status;
+  if (job.flip_back) {
+    const FlippedBack back = FlipBack(flat.intrinsic, flat.intrinsic_lengths);
+    status = WriteCon(job.con, back.triangulation, back.lengths);
+    map->certificate.values["flip_back_stuck"] = static_cast<double>(back.stuck.size());
+    report << fmt::format("flip-back   {} of {} flips stay", back.stuck.size(),
+                          flat.intrinsic.flips.size());
+    report << (back.stuck.empty() ? "\n" : ": edges " + IdList(back.stuck) + " (0-based)\n");
+  } else {
+    status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+  }
+  if (status.ok()) report << "wrote       " << job.con << "\n";
+  return status;
+}
 
 std::string CarrierStem(const CirclePatternsJob& job) {
   const std::string path = CertificatePath(job);
@@ -146,7 +165,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     report << Summary(map.certificate);
     const Timer write_timer;
     const CornerUv uv = *filled ? WithoutFill(**filled, map.uv) : std::move(map.uv);
-    if (Status s = WriteMap(job, *soup, *surface, uv, map.flat); !s.ok()) return s;
+    if (Status s = WriteMap(job, *soup, *surface, uv, report, &map); !s.ok()) return s;
     map.certificate.seconds["write"] = write_timer.Seconds();
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());

@@ -16,9 +16,11 @@ struct CirclePatternsJob {
   std::string cones;         ///< file of `vertex min max` in multiples of pi; empty: none
   std::string angle_sums;    ///< file of one target angle sum [rad] per vertex; empty: none
   std::string cut;           ///< file of edges `from to face` to open; empty: a short cut is found
-  std::string con;           ///< where to write the flat intrinsic metric; empty: nowhere
-  bool fill_holes = false;   ///< all boundary loops but the longest, not in the output
-  std::string certificate;   ///< where to write it; empty: beside the output
+  std::string cut_paths;    ///< "a-b,c-d": vertices, counted from 1, to open shortest paths between
+  std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
+  bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric
+  bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
+  std::string certificate;  ///< where to write it; empty: beside the output
   ParameterizeOptions options;
 };
 
@@ -28,6 +30,10 @@ std::string CertificatePath(const CirclePatternsJob& job);
 /// Where a proof of infeasibility leaves the faces and vertices that carry it: the certificate's
 /// path without ".certificate.json"; ".infeasible.csv" and ".infeasible.ply" are added.
 std::string CarrierStem(const CirclePatternsJob& job);
+
+/// Writes the job's CON file: the metric where it was solved or, flipped back, as near to the
+/// input's triangulation as it allows; the edges that stay are told and counted in the certificate.
+Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map);
 
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to

@@ -9,8 +9,8 @@
 namespace cirque {
 
 /// Minimises the Lagrange dual of the fit, which is convex and has no constraints, with any
-/// strategy; takes every objective. Ranged angle sums make kinks, which the Newton strategies treat;
-/// kInvalidInput with the others. The callback gets the multipliers.
+/// strategy; takes every objective. Ranged angle sums make kinks, which the Newton strategies
+/// treat; kInvalidInput with the others. The callback gets the multipliers.
 class DualAngleFit final : public AngleFitMethod {
  public:
   explicit DualAngleFit(std::shared_ptr<const SolverStrategy> strategy)

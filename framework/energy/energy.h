@@ -54,8 +54,8 @@ class Energy : public ceres::FirstOrderFunction {
   /// the gauge.
   virtual double LeastHessianShift() const { return 0; }
 
-  /// The parameters at whose 0 the energy is not differentiable. There Evaluate gives the slope from
-  /// below; everywhere else the energy is as smooth as without kinks.
+  /// The parameters at whose 0 the energy is not differentiable. There Evaluate gives the slope
+  /// from below; everywhere else the energy is as smooth as without kinks.
   virtual std::vector<Kink> Kinks() const { return {}; }
 
   virtual ResidualForm residual_form() const { return ResidualForm::kAbsent; }

@@ -22,10 +22,14 @@ bool BoxesMeet(const Segment& s, const Segment& t) {
          t.MinY() <= s.MaxY();
 }
 
-/// Whether two closed segments have a point in common.
-bool Meet(const Segment& s, const Segment& t) {
-  return BoxesMeet(s, t) && OrientationSign(s.a, s.b, t.a) * OrientationSign(s.a, s.b, t.b) <= 0 &&
-         OrientationSign(t.a, t.b, s.a) * OrientationSign(t.a, t.b, s.b) <= 0;
+/// How two closed segments lie to each other.
+BoundaryContact Contact(const Segment& s, const Segment& t) {
+  if (!BoxesMeet(s, t)) return BoundaryContact::kApart;
+  const int of_t = OrientationSign(s.a, s.b, t.a) * OrientationSign(s.a, s.b, t.b);
+  if (of_t > 0) return BoundaryContact::kApart;
+  const int of_s = OrientationSign(t.a, t.b, s.a) * OrientationSign(t.a, t.b, s.b);
+  if (of_s > 0) return BoundaryContact::kApart;
+  return of_t < 0 && of_s < 0 ? BoundaryContact::kCrossing : BoundaryContact::kTouch;
 }
 
 bool ShareVertex(const Segment& s, const Segment& t) {
@@ -57,21 +61,20 @@ std::vector<Index> FlippedFaces(const Triangulation& t, const CornerUv& uv) {
   return flipped;
 }
 
-std::vector<std::pair<Index, Index>> BoundaryCrossings(const Triangulation& t, const CornerUv& uv,
-                                                       int limit) {
-  std::vector<std::pair<Index, Index>> crossings;
+BoundaryContact FindBoundaryContact(const Triangulation& t, const CornerUv& uv) {
+  BoundaryContact strongest = BoundaryContact::kApart;
   std::vector<const Segment*> active;
   const std::vector<Segment> segments = BoundarySegments(t, uv);
   for (const Segment& segment : segments) {
     std::erase_if(active, [&](const Segment* s) { return s->MaxX() < segment.MinX(); });
     for (const Segment* other : active) {
-      if (ShareVertex(*other, segment) || !Meet(*other, segment)) continue;
-      crossings.emplace_back(other->halfedge, segment.halfedge);
-      if (static_cast<int>(crossings.size()) == limit) return crossings;
+      if (ShareVertex(*other, segment)) continue;
+      strongest = std::max(strongest, Contact(*other, segment));
+      if (strongest == BoundaryContact::kCrossing) return strongest;
     }
     active.push_back(&segment);
   }
-  return crossings;
+  return strongest;
 }
 
 }  // namespace cirque

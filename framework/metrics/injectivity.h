@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "cirque/core/metric.h"
@@ -12,10 +11,14 @@ namespace cirque {
 /// as they are.
 std::vector<Index> FlippedFaces(const Triangulation& triangulation, const CornerUv& uv);
 
-/// The pairs of boundary halfedges whose images cross or touch although they share no vertex, at
-/// most `limit` of them, by exact arithmetic. A map of a disk without flips and without such pairs
-/// is injective. Sorts by x and prunes.
-std::vector<std::pair<Index, Index>> BoundaryCrossings(const Triangulation& triangulation,
-                                                       const CornerUv& uv, int limit = 1);
+/// How boundary edges that share no vertex lie in the image.
+enum class BoundaryContact {
+  kApart,    ///< a map of a disk without flips is then injective
+  kTouch,    ///< some touch or run along each other, none cross: opened seams can do so
+  kCrossing  ///< some cross, so the image overlaps itself
+};
+
+/// The strongest contact, by exact arithmetic. Sorts by x and prunes.
+BoundaryContact FindBoundaryContact(const Triangulation& triangulation, const CornerUv& uv);
 
 }  // namespace cirque

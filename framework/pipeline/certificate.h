@@ -11,18 +11,21 @@ namespace cirque {
 struct Certificate {
   std::string outcome = "not_run";  ///< ToString(StatusCode)
   std::string message;              ///< why, when the outcome is not ok
-  std::string overlap = "unknown";  ///< "injective", "boundary_overlaps" or "unknown"
+  /// "injective"; "boundary_touches": no two boundary edges (seams opened) cross, but some touch,
+  /// which verify_map can tell from overlaps; "boundary_overlaps"; "unknown"
+  std::string overlap = "unknown";
 
   /// Angles in radians, lengths relative. By stage:
   /// - triangulation: flips, delaunay_rounds, mirrored_triangles (of the input, before the last
-  /// round)
+  /// round), flip_back_stuck (flips that the flat metric does not let be undone; where asked for)
   /// - angle fit: smallest_angle, smallest_theta, epsilon (the margin asked for),
   ///   triangle_sum_residual, vertex_sum_residual, angle_primal, angle_dual, angle_gap (relative),
   ///   angle_iterations, angle_factorizations, angle_fit_retried (1: by the interior point)
   /// - radii: radii_gradient (max |dS/drho|), radii_primal, radii_dual, radii_gap (relative),
   ///   radii_iterations, radii_factorizations, log_radius_range (max rho - min rho)
   /// - layout: layout_closure (over all edges), flipped_triangles (exact), cones, patches, seams,
-  ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch
+  ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch,
+  ///   rotation_order (n: the rotations across seams are exact multiples of 2 pi / n; 0: are not)
   /// - measures: quasi_conformal_mean, quasi_conformal_max, log_area_ratio_l2, log_area_ratio_min,
   ///   log_area_ratio_max
   std::map<std::string, double> values;

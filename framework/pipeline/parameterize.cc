@@ -17,6 +17,7 @@
 #include "cirque/mesh/simple_cones.h"
 #include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/snap_rotations.h"
 
 namespace cirque {
 namespace {
@@ -47,6 +48,22 @@ Status Unrepresentable(const Certificate& certificate, const std::vector<Index>&
           certificate.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
 }
 
+/// Several patches, each in a frame of its own: side by side. One patch: exact rotations across the
+/// seams where the cones' angles allow it.
+void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vector<Index>& cones,
+             const FlatOnInput& flat, const Cut& cut, PlanarLayout* layout,
+             Certificate* certificate) {
+  certificate->values["rotation_order"] = 0;
+  if (layout->patches.count > 1) {
+    layout->uv = PackPatches(layout->uv, layout->patches, {}).uv;
+    return;
+  }
+  const int order = CommonRotationOrder(targets, cones);
+  if (order > 0 && SnapRotations(t, cut, cones, flat.angles, order, &layout->uv)) {
+    certificate->values["rotation_order"] = order;
+  }
+}
+
 /// Cuts and lays out, several patches side by side in the unit square; refuses a layout with a
 /// flipped triangle.
 Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* given,
@@ -59,8 +76,12 @@ Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* giv
   StatusOr<PlanarLayout> laid_out = LayOutBy(method, t, flat, *cut);
   if (!laid_out.ok()) return laid_out.status();
   PlanarLayout& layout = *laid_out;
+  std::vector<Index> flipped = FlippedFaces(t, layout.uv);
+  if (flipped.empty()) {
+    Arrange(t, targets, cones, flat, *cut, &layout, &certificate);
+    flipped = FlippedFaces(t, layout.uv);
+  }
   const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
-  const std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   certificate.values.merge(
       std::map<std::string, double>{{"cones", static_cast<double>(cones.size())},
                                     {"patches", static_cast<double>(layout.patches.count)},
@@ -73,16 +94,26 @@ Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* giv
                                     {"flipped_triangles", static_cast<double>(flipped.size())}});
   if (!flipped.empty()) return Unrepresentable(certificate, flipped);
   result->cut = *std::move(cut);
-  result->uv = layout.patches.count > 1 ? PackPatches(layout.uv, layout.patches, {}).uv
-                                        : std::move(layout.uv);
+  result->uv = std::move(layout.uv);
   return Status();
+}
+
+std::string ToString(BoundaryContact contact) {
+  switch (contact) {
+    case BoundaryContact::kApart:
+      return "injective";
+    case BoundaryContact::kTouch:
+      return "boundary_touches";
+    case BoundaryContact::kCrossing:
+      return "boundary_overlaps";
+  }
+  return "unknown";
 }
 
 void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterization* result) {
   const Triangulation opened = CutOpen(t, result->cut);
   Certificate& certificate = result->certificate;
-  certificate.overlap =
-      BoundaryCrossings(opened, result->uv).empty() ? "injective" : "boundary_overlaps";
+  certificate.overlap = ToString(FindBoundaryContact(opened, result->uv));
   const DistortionSummary d = Summarize(MeasureDistortion(t, lengths, result->uv));
   certificate.values.merge(
       std::map<std::string, double>{{"quasi_conformal_mean", d.quasi_conformal_mean},

@@ -85,7 +85,8 @@ bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
 bool SolveRun::RequireSmooth() {
   if (kinks_.empty()) return true;
   End(Termination::kUnsupported,
-      "the energy has kinks, which only newton and newton_cg treat; use one of them, or interior_point for an angle fit");
+      "the energy has kinks, which only newton and newton_cg treat; use one of them, or "
+      "interior_point for an angle fit");
   return false;
 }
 

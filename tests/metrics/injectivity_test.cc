@@ -22,7 +22,7 @@ void MoveVertex(const Surface& s, Index v, const Eigen::Vector2d& to, CornerUv* 
 TEST(Injectivity, FlatFanIsInjective) {
   const Surface fan = Fan(7, 0);
   EXPECT_TRUE(FlippedFaces(fan.triangulation, UvOf(fan)).empty());
-  EXPECT_TRUE(BoundaryCrossings(fan.triangulation, UvOf(fan)).empty());
+  EXPECT_EQ(FindBoundaryContact(fan.triangulation, UvOf(fan)), BoundaryContact::kApart);
 }
 
 TEST(Injectivity, CollapsedAndMirroredFacesAreFlipped) {
@@ -35,13 +35,13 @@ TEST(Injectivity, CollapsedAndMirroredFacesAreFlipped) {
   EXPECT_EQ(FlippedFaces(fan.triangulation, uv).size(), 6u);
 }
 
-TEST(Injectivity, RimFoldedThroughItselfCrosses) {
+TEST(Injectivity, RimFoldedThroughItselfCrossesAndOneThatMeetsItselfTouches) {
   const Surface fan = Fan(8, 0);
   CornerUv uv = UvOf(fan);
   MoveVertex(fan, 1, Eigen::Vector2d(-2, 0.1), &uv);
-  EXPECT_FALSE(BoundaryCrossings(fan.triangulation, uv).empty());
-  MoveVertex(fan, 1, fan.position[5].head<2>(), &uv);  // touching counts, too
-  EXPECT_FALSE(BoundaryCrossings(fan.triangulation, uv).empty());
+  EXPECT_EQ(FindBoundaryContact(fan.triangulation, uv), BoundaryContact::kCrossing);
+  MoveVertex(fan, 1, fan.position[5].head<2>(), &uv);
+  EXPECT_EQ(FindBoundaryContact(fan.triangulation, uv), BoundaryContact::kTouch);
 }
 
 }  // namespace

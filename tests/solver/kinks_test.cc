@@ -43,9 +43,8 @@ class SoftThreshold final : public Energy {
   }
 
   Eigen::VectorXd Minimiser() const {
-    return a_.unaryExpr([this](double a) {
-      return std::copysign(std::max(std::abs(a) - c_, 0.0), a);
-    });
+    return a_.unaryExpr(
+        [this](double a) { return std::copysign(std::max(std::abs(a) - c_, 0.0), a); });
   }
 
  private:
