@@ -8,10 +8,14 @@ void openblas_set_num_threads(int) __attribute__((weak));
 int openblas_get_num_threads() __attribute__((weak));
 }
 
+// OpenMP's, absent where nothing uses it.
+extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
+
 namespace cirque {
 
 void UseOneBlasThread() {
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
+  if (omp_set_max_active_levels && !std::getenv("OMP_NUM_THREADS")) omp_set_max_active_levels(0);
 }
 
 int NumBlasThreads() { return openblas_get_num_threads ? openblas_get_num_threads() : 0; }

@@ -63,10 +63,15 @@ enum class CallbackAction { kContinue, kStop };
 using IterationCallback =
     std::function<CallbackAction(const IterationRecord&, const Eigen::VectorXd& x)>;
 
-/// How a caller watches a solve and ends it early; shared by all strategies.
+class ReusedFactor;
+
+/// How a caller watches a solve, ends it early and helps it; shared by all strategies.
 struct SolveControl {
   IterationCallback callback;                    ///< may be empty
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null; polled at every iterate
+  /// May be null. The factor of a matrix near the Hessian at the start, for strategies that solve
+  /// their systems iteratively; they may factor it anew.
+  ReusedFactor* factor = nullptr;
 };
 
 }  // namespace cirque

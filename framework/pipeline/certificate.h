@@ -20,9 +20,11 @@ struct Certificate {
   /// round), flip_back_stuck (flips that the flat metric does not let be undone; where asked for)
   /// - angle fit: smallest_angle, smallest_theta, epsilon (the margin asked for),
   ///   triangle_sum_residual, vertex_sum_residual, angle_primal, angle_dual, angle_gap (relative),
-  ///   angle_iterations, angle_factorizations, angle_fit_retried (1: by the interior point)
+  ///   angle_iterations, angle_factorizations, angle_cg_iterations, angle_fit_retried (1: by the
+  ///   interior point)
   /// - radii: radii_gradient (max |dS/drho|), radii_primal, radii_dual, radii_gap (relative),
-  ///   radii_iterations, radii_factorizations, log_radius_range (max rho - min rho)
+  ///   radii_iterations, radii_factorizations, radii_cg_iterations, log_radius_range (max rho - min
+  ///   rho)
   /// - layout: layout_closure (over all edges), flipped_triangles (exact), cones, patches, seams,
   ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch,
   ///   rotation_order (n: the rotations across seams are exact multiples of 2 pi / n; 0: are not)

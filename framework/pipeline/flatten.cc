@@ -155,7 +155,8 @@ class Flattening {
     LogRadiiResult radii;
     Status status = SolveLogRadii(t(), result_.angles, **strategy, control_, &radii);
     Record("radii", radii.solve);
-    certificate_.values["radii_factorizations"] += radii.start_iterations;
+    certificate_.values["radii_factorizations"] += radii.start.factorizations;
+    certificate_.values["radii_cg_iterations"] += radii.start.cg_iterations;
     const Eigen::VectorXd& rho = radii.log_radii.value;
     Put({{"radii_gradient", radii.gradient_max},
          {"radii_primal", radii.energy},
@@ -189,7 +190,8 @@ class Flattening {
 
   void Record(const std::string& stage, const SolveSummary& solve) {
     Put({{stage + "_iterations", solve.num_iterations()},
-         {stage + "_factorizations", solve.factorizations}});
+         {stage + "_factorizations", solve.factorizations},
+         {stage + "_cg_iterations", solve.cg_iterations}});
   }
 
   void Put(const std::map<std::string, double>& values) {

@@ -7,7 +7,6 @@
 
 #include "cirque/energy/laplacian_assembler.h"
 #include "cirque/solver/regularization.h"
-#include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {
 namespace {
@@ -16,6 +15,7 @@ constexpr int kMaxIterations = 30, kMaxHalvings = 30;
 constexpr double kKeptShare = 0.05;  ///< of an angle, at least, in one step
 constexpr double kOvershoot =
     0.5;  ///< slope at the end of a step, relative to its start, that is still accepted
+constexpr double kTolerance = 1e-4;     ///< of the change of the multipliers
 constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 
 /// The interior edges' angles and the Newton step that moves them.
@@ -87,11 +87,11 @@ class Volume {
 
 }  // namespace
 
-int MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
-                          const CirclePatternEnergy& energy, double gradient_max,
-                          Eigen::VectorXd* rho) {
+SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
+                                   const CirclePatternEnergy& energy, double gradient_max,
+                                   ReusedFactor* factor, Eigen::VectorXd* rho) {
   Volume volume(t, angles);
-  const auto cholesky = MakeCholesky();
+  SolveSummary summary;
   HessianShift shift(energy);
   SparseMatrix lower;
   Eigen::VectorXd right_side, gradient(t.num_faces());
@@ -99,10 +99,12 @@ int MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
   double before = std::numeric_limits<double>::infinity(), last = before;
   for (int i = 0; i < kMaxIterations; ++i) {
     volume.Linearize(&lower, &right_side);
-    if (!cholesky->Factorize(shift.Apply(lower))) break;
-    const Eigen::VectorXd multipliers = cholesky->Solve(right_side);
-    if (!multipliers.allFinite()) break;
-    *rho = multipliers;
+    // The multipliers change less and less: solve for their change.
+    const SparseMatrix& matrix = shift.Apply(lower);
+    Eigen::VectorXd change;
+    const Eigen::VectorXd missing = right_side - matrix.selfadjointView<Eigen::Lower>() * *rho;
+    if (!factor->Solve(matrix, missing, kTolerance, &change, &summary)) break;
+    *rho += change;
     energy.Gradient(rho->data(), gradient.data());
     const double now = gradient.lpNorm<Eigen::Infinity>();
     if (now <= gradient_max || now > kLeastProgress * before) break;
@@ -110,7 +112,7 @@ int MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
     last = now;
     volume.Step(*rho);
   }
-  return cholesky->factorizations();
+  return summary;
 }
 
 }  // namespace cirque

@@ -15,6 +15,7 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
+constexpr int kMaxCgIterations = 12;
 constexpr double kStartGradient =
     1e-4;  ///< from where Newton on the radii converges in a few full steps
 
@@ -42,8 +43,11 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
-  result->start_iterations = MaximizePatternVolume(t, angles, energy, kStartGradient, &rho);
-  result->solve = strategy.Minimize(energy, control, &rho);
+  ReusedFactor factor(MakeCholesky(), kMaxCgIterations);
+  result->start = MaximizePatternVolume(t, angles, energy, kStartGradient, &factor, &rho);
+  SolveControl with_factor = control;
+  with_factor.factor = &factor;
+  result->solve = strategy.Minimize(energy, with_factor, &rho);
   rho.array() -= rho.mean();
   result->log_radii.value = rho;
   Eigen::VectorXd gradient(rho.size());

@@ -11,7 +11,7 @@ namespace cirque {
 /// The log radii of a circle pattern and the evidence for them.
 struct LogRadiiResult {
   LogRadii log_radii;
-  int start_iterations = 0;      ///< steps of the start, a factorization each
+  SolveSummary start;            ///< the linear algebra of the start
   SolveSummary solve;            ///< of the strategy, from there
   double gradient_max = kUnset;  ///< largest deviation of a face's angle sum from pi, doubled [rad]
   double energy = kUnset;        ///< S at the solution

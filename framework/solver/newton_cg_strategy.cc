@@ -5,9 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "cirque/solver/conjugate_gradients.h"
 #include "cirque/solver/newton_loop.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/solver/reused_factor.h"
 
 namespace cirque {
 namespace {
@@ -18,22 +17,17 @@ constexpr double kLeastForcing = 1e-10;
 /// Solves with the factor at hand and factors anew when that takes too many iterations.
 class PreconditionedDirection {
  public:
-  PreconditionedDirection(const NewtonCgOptions& options, SolveRun* run, SparseCholesky* cholesky)
-      : options_(options), run_(run), cholesky_(cholesky) {}
+  PreconditionedDirection(double forcing, SolveRun* run, ReusedFactor* factor)
+      : forcing_(forcing), run_(run), factor_(*factor) {}
 
   bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
                   Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
     const double tolerance = Forcing(gradient.norm());
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-      const SparseMatrix& regularized = shift->Apply(hessian_);
-      if (Solve(regularized, gradient, tolerance, direction)) return true;
-      factored_ = run_->Factorize(regularized, cholesky_);
-      // With its own factor a step may fall short of the tolerance by rounding only.
-      if (factored_) {
-        Solve(regularized, gradient, tolerance, direction);
-        if (IsDescent(*direction, gradient)) return true;
-      }
+      const bool solved =
+          factor_.Solve(shift->Apply(hessian_), -gradient, tolerance, direction, &run_->summary());
+      if (solved && direction->dot(gradient) < 0) return true;
       if (!shift->Raise()) return false;
     }
     return false;
@@ -44,29 +38,13 @@ class PreconditionedDirection {
   double Forcing(double norm) {
     const double ratio = norm / last_norm_;
     last_norm_ = norm;
-    return std::clamp(ratio * ratio, kLeastForcing, options_.forcing);
+    return std::clamp(ratio * ratio, kLeastForcing, forcing_);
   }
 
-  static bool IsDescent(const Eigen::VectorXd& direction, const Eigen::VectorXd& gradient) {
-    return direction.allFinite() && direction.dot(gradient) < 0;
-  }
-
-  /// Solves to the tolerance with the factor at hand, if there is one.
-  bool Solve(const SparseMatrix& matrix, const Eigen::VectorXd& gradient, double tolerance,
-             Eigen::VectorXd* direction) {
-    if (!factored_) return false;
-    const CgResult cg = ConjugateGradients(
-        matrix, -gradient, [this](const Eigen::VectorXd& b) { return run_->Solve(b, cholesky_); },
-        tolerance, options_.max_cg_iterations, direction);
-    run_->summary().cg_iterations += cg.iterations;
-    return cg.converged && IsDescent(*direction, gradient);
-  }
-
-  const NewtonCgOptions& options_;
+  const double forcing_;
   SolveRun* run_;
-  SparseCholesky* cholesky_;
+  ReusedFactor& factor_;
   SparseMatrix hessian_;
-  bool factored_ = false;
   double last_norm_ = std::numeric_limits<double>::infinity();
 };
 
@@ -97,8 +75,8 @@ const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
 SolveSummary NewtonCgStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                         Eigen::VectorXd* x) const {
   SolveRun run("newton_cg", options_, control, energy);
-  const auto cholesky = MakeCholesky(options_.linear_solver);
-  PreconditionedDirection direction(options_, &run, cholesky.get());
+  ReusedFactor own(MakeCholesky(options_.linear_solver), options_.max_cg_iterations);
+  PreconditionedDirection direction(options_.forcing, &run, control.factor ? control.factor : &own);
   IterateNewton(std::ref(direction), &run, x);
   return run.Finish(*x);
 }

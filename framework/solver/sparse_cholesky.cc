@@ -6,6 +6,7 @@
 
 #include "cirque/solver/cholmod_cholesky.h"
 #include "cirque/solver/eigen_cholesky.h"
+#include "cirque/solver/eliminating_cholesky.h"
 
 namespace cirque {
 
@@ -44,7 +45,7 @@ const Registry<SparseCholeskyFactory>& LinearSolvers() {
 std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name) {
   const auto factory = LinearSolvers().Find(name.empty() ? LinearSolvers().Names().front() : name);
   CHECK(factory.ok()) << factory.status().message();
-  return (*factory)();
+  return MakeEliminatingCholesky((*factory)());
 }
 
 }  // namespace cirque

@@ -40,7 +40,8 @@ using SparseCholeskyFactory = std::function<std::unique_ptr<SparseCholesky>()>;
 /// `cholmod` (when built with it) and `eigen`; the first is the default.
 const Registry<SparseCholeskyFactory>& LinearSolvers();
 
-/// The linear solver of that name; empty: the first of the table. @pre the name is known.
+/// The linear solver of that name behind the elimination of what is diagonal
+/// (MakeEliminatingCholesky); empty: the first of the table. @pre the name is known.
 std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name = "");
 
 }  // namespace cirque
