@@ -34,6 +34,7 @@ std::string Certificate::ToJson() const {
   nlohmann::ordered_json json = {{"outcome", outcome}, {"message", message}};
   json["overlap"] = overlap;
   json["values"] = NumbersToJson(values);
+  if (!strategies.empty()) json["strategies"] = strategies;
   json["seconds"] = NumbersToJson(seconds);
   if (!infeasibility.empty()) json["infeasibility"] = ProofToJson(infeasibility);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -32,6 +32,8 @@ struct Certificate {
   ///   log_area_ratio_max
   std::map<std::string, double> values;
   std::map<std::string, double> seconds;  ///< wall time by stage
+  /// The solver of each stage; where it was chosen automatically with the reason.
+  std::map<std::string, std::string> strategies;
 
   /// With outcome infeasible. Vertices and faces are numbered as in the input file, from 0.
   InfeasibilityProof infeasibility;

@@ -189,6 +189,7 @@ class Flattening {
   }
 
   void Record(const std::string& stage, const SolveSummary& solve) {
+    certificate_.strategies[stage] = solve.strategy;
     Put({{stage + "_iterations", solve.num_iterations()},
          {stage + "_factorizations", solve.factorizations},
          {stage + "_cg_iterations", solve.cg_iterations}});

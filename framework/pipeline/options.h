@@ -9,8 +9,8 @@ namespace cirque {
 struct ParameterizeOptions {
   std::string triangulation = "delaunay";  ///< "delaunay": intrinsic Delaunay flips; "input": none
   std::string angle_fit = "quadratic";     ///< a name of AngleObjectives()
-  std::string angle_strategy = "newton";   ///< a name of AngleStrategyNames()
-  std::string strategy = "newton";         ///< a name of SolverStrategies(), for the log radii
+  std::string angle_strategy = "auto";     ///< a name of AngleStrategyNames()
+  std::string strategy = "auto";           ///< a name of SolverStrategies(), for the log radii
   std::string layout = "directions";       ///< or "least_squares" (Poisson)
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve

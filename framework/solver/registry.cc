@@ -1,3 +1,4 @@
+#include "cirque/solver/auto_strategy.h"
 #include "cirque/solver/ceres_line_search_strategy.h"
 #include "cirque/solver/ceres_trust_region_strategy.h"
 #include "cirque/solver/newton_cg_strategy.h"
@@ -9,6 +10,7 @@ namespace cirque {
 const Registry<SolverStrategyFactory>& SolverStrategies() {
   static const Registry<SolverStrategyFactory> kTable(
       "solver strategy", {
+                             {"auto", FactoryOf<AutoStrategy>(AutoOptionTable())},
                              {"newton", FactoryOf<NewtonStrategy>(NewtonOptionTable())},
                              {"newton_cg", FactoryOf<NewtonCgStrategy>(NewtonCgOptionTable())},
                              {"ceres_trust_region",

@@ -1,0 +1,99 @@
+#include "cirque/solver/reused_factor.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "cirque/solver/auto_strategy.h"
+
+namespace cirque {
+namespace {
+
+/// A path's Laplacian with these edge weights, grounded at node 0.
+SparseMatrix PathMatrix(const Eigen::VectorXd& weight) {
+  const int n = static_cast<int>(weight.size());
+  std::vector<Eigen::Triplet<double>> entries = {{0, 0, 1}};
+  for (int i = 0; i + 1 < n; ++i) {
+    entries.emplace_back(i, i, weight[i]);
+    entries.emplace_back(i + 1, i + 1, weight[i]);
+    entries.emplace_back(i + 1, i, -weight[i]);
+  }
+  SparseMatrix lower(n, n);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+class ReusedFactorTest : public ::testing::Test {
+ protected:
+  /// |A x - b| / |b| of a solve with these weights.
+  double Residual(const Eigen::VectorXd& weight, double tolerance) {
+    const SparseMatrix lower = PathMatrix(weight);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(weight.size(), 1, 3);
+    Eigen::VectorXd x;
+    EXPECT_TRUE(factor_.Solve(lower, b, tolerance, &x, &summary_));
+    return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
+  }
+
+  ReusedFactor factor_{MakeCholesky(), 6};
+  SolveSummary summary_;
+  const Eigen::VectorXd ones_ = Eigen::VectorXd::Ones(50);
+};
+
+TEST_F(ReusedFactorTest, SmallChangesTakeIterationsNotFactors) {
+  EXPECT_LT(Residual(ones_, 1e-10), 1e-10);
+  EXPECT_EQ(summary_.factorizations, 1);
+  EXPECT_LT(Residual(1.01 * ones_ + 0.01 * Eigen::VectorXd::LinSpaced(50, -1, 1), 1e-8), 1e-8);
+  EXPECT_EQ(summary_.factorizations, 1);
+  EXPECT_GT(summary_.cg_iterations, 1);
+}
+
+TEST_F(ReusedFactorTest, LargeChangesAreFactoredAnew) {
+  EXPECT_LT(Residual(ones_, 1e-10), 1e-10);
+  const Eigen::VectorXd wild = Eigen::VectorXd::LinSpaced(50, -4, 4).array().exp();
+  EXPECT_LT(Residual(wild, 1e-8), 1e-8);
+  EXPECT_EQ(summary_.factorizations, 2);
+  EXPECT_EQ(summary_.symbolic_analyses, 1);
+}
+
+TEST_F(ReusedFactorTest, AnIndefiniteMatrixIsRefused) {
+  Eigen::VectorXd x;
+  EXPECT_FALSE(factor_.Solve(PathMatrix(-ones_), ones_, 1e-8, &x, &summary_));
+}
+
+/// sum_i cosh(x_i - i): minimal at x_i = i.
+class Coshes final : public Energy {
+ public:
+  int NumParameters() const override { return 5; }
+  bool Evaluate(const double* x, double* value, double* gradient) const override {
+    *value = 0;
+    for (int i = 0; i < 5; ++i) {
+      *value += std::cosh(x[i] - i);
+      if (gradient) gradient[i] = std::sinh(x[i] - i);
+    }
+    return true;
+  }
+  bool Hessian(const double* x, SparseMatrix* lower) const override {
+    lower->resize(5, 5);
+    lower->setIdentity();
+    for (int i = 0; i < 5; ++i) lower->coeffRef(i, i) = std::cosh(x[i] - i);
+    return true;
+  }
+};
+
+TEST(AutoStrategy, SaysWhatItChoseAndWhy) {
+  const AutoStrategy strategy{SolverLimits()};
+  ReusedFactor factor(MakeCholesky(), 6);
+  for (ReusedFactor* given : {static_cast<ReusedFactor*>(nullptr), &factor}) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
+    SolveControl control;
+    control.factor = given;
+    const SolveSummary summary = strategy.Minimize(Coshes(), control, &x);
+    EXPECT_TRUE(summary.Converged()) << summary.message;
+    EXPECT_LT((x - Eigen::VectorXd::LinSpaced(5, 0, 4)).norm(), 1e-10);
+    EXPECT_TRUE(summary.strategy.starts_with(given ? "auto: newton_cg" : "auto: newton,"))
+        << summary.strategy;
+  }
+}
+
+}  // namespace
+}  // namespace cirque
