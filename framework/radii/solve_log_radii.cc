@@ -15,9 +15,9 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
-constexpr int kMaxCgIterations = 12;
+constexpr int kMaxCgIterations = 6;
 constexpr double kStartGradient =
-    1e-4;  ///< from where Newton on the radii converges in a few full steps
+    1e-2;  ///< from where Newton on the radii converges in a few full steps
 
 /// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles
 /// attain.

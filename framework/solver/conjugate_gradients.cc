@@ -1,6 +1,22 @@
 #include "cirque/solver/conjugate_gradients.h"
 
+#include <cmath>
+
 namespace cirque {
+namespace {
+
+constexpr int kTrialIterations = 3;
+
+/// Whether the residual, should it go on falling as it has so far, reaches its target in time. The
+/// first iterations say too little.
+bool MayFinish(double start, double now, double target, int iterations, int max_iterations) {
+  if (iterations >= max_iterations) return false;
+  if (iterations < kTrialIterations) return true;
+  const double done = std::log(start / now), wanted = std::log(start / target);
+  return done * max_iterations >= wanted * iterations;
+}
+
+}  // namespace
 
 CgResult ConjugateGradients(
     const SparseMatrix& lower, const Eigen::VectorXd& right_side,
@@ -12,7 +28,9 @@ CgResult ConjugateGradients(
   Eigen::VectorXd z = precondition(residual), direction = z;
   double rho = residual.dot(z);
   const double target = tolerance * right_side.norm();
-  while (!(result.converged = residual.norm() <= target) && result.iterations < max_iterations) {
+  const double start = residual.norm();
+  while (!(result.converged = residual.norm() <= target) &&
+         MayFinish(start, residual.norm(), target, result.iterations, max_iterations)) {
     const Eigen::VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "cirque/mesh/surface.h"
+
+namespace cirque {
+
+/// What any conformal map of a mesh costs at least, to compare whole programs by across machines.
+struct ReferenceFactorization {
+  double seconds = 0;      ///< wall time
+  double cpu_seconds = 0;  ///< of this thread: what other programs take of the machine is not in it
+};
+
+/// One analysis and one factorization, by the default linear solver as it is, of the V x V
+/// cotangent Laplacian plus 1e-8 on the diagonal. The first factorization in a process pays for its
+/// memory.
+/// @pre a surface of the preflight: no edge of length 0.
+ReferenceFactorization TimeReferenceFactorization(const Surface& surface);
+
+}  // namespace cirque
