@@ -30,17 +30,21 @@ PolygonSoup PlanarMesh(const Triangulation& t, const Parameterization& map) {
 }
 
 Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
-                    const Parameterization& map, std::ostream& report) {
+                    const EdgeLengths& lengths, const Parameterization& map, std::ostream& report) {
   if (!job.con.empty()) {
     const FlatSurface& flat = map.flat;
     Status status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
     if (!status.ok()) return status;
     report << "wrote       " << job.con << "\n";
   }
-  if (job.output.empty()) return Status();
-  if (Status s = WriteMesh(job.output, PlanarMesh(t, map)); !s.ok()) return s;
-  report << "wrote       " << job.output << "\n";
-  return Status();
+  const PolygonSoup planar = PlanarMesh(t, map);
+  if (!job.output.empty()) {
+    if (Status s = WriteMesh(job.output, planar); !s.ok()) return s;
+    report << "wrote       " << job.output << "\n";
+  }
+  if (job.measures.empty()) return Status();
+  return WriteMeasureFiles(job.measures, planar.position, planar.corner,
+                           MeasureMap(t, lengths, map.uv));
 }
 
 }  // namespace
@@ -64,7 +68,7 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
     if (!targets.ok()) return targets.status();
     status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
   }
-  if (status.ok()) status = WriteOutputs(job, t, map, report);
+  if (status.ok()) status = WriteOutputs(job, t, metric->lengths, map, report);
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {
     return status.In(job.input_con);
   }

@@ -64,6 +64,19 @@ Status WriteMap(const CirclePatternsJob& job, const PolygonSoup& soup, const Sur
   return WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
 }
 
+/// The measures of the map on the input's own triangles, in the files asked for.
+Status WriteMeasures(const CirclePatternsJob& job, const Surface& surface, const CornerUv& uv,
+                     std::ostream& report) {
+  if (job.measures.empty()) return Status();
+  const Triangulation& t = surface.triangulation;
+  const MapMeasures measures = MeasureMap(t, MeasureEdgeLengths(surface), uv);
+  if (Status s = WriteMeasureFiles(job.measures, surface.position, t.vertex, measures); !s.ok()) {
+    return s;
+  }
+  for (const MeasureFile& file : job.measures) report << "measures    " << file.path << "\n";
+  return Status();
+}
+
 /// The surface to solve on where holes are to be filled; nothing otherwise.
 StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
                                                    const Surface& surface, std::ostream& report) {
@@ -147,6 +160,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     const Timer write_timer;
     const CornerUv uv = *filled ? WithoutFill(**filled, map.uv) : std::move(map.uv);
     if (Status s = WriteMap(job, *soup, *surface, uv, map.flat); !s.ok()) return s;
+    if (Status s = WriteMeasures(job, *surface, uv, report); !s.ok()) return s;
     map.certificate.seconds["write"] = write_timer.Seconds();
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());

@@ -48,9 +48,9 @@ const std::vector<BadConfig>& BadConfigs() {
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
        ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
-       "repeats, output"},
+       "repeats, measures, output"},
       {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
-       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, output"},
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, measures, output"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
