@@ -7,6 +7,7 @@
 #include "cirque/mesh/con_file.h"
 #include "cirque/mesh/io.h"
 
+#include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"
 #include "experiments/circle_patterns/run.h"
 
@@ -42,9 +43,7 @@ Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
     if (Status s = WriteMesh(job.output, planar); !s.ok()) return s;
     report << "wrote       " << job.output << "\n";
   }
-  if (job.measures.empty()) return Status();
-  return WriteMeasureFiles(job.measures, planar.position, planar.corner,
-                           MeasureMap(t, lengths, map.uv));
+  return WriteMeasures(job, t, lengths, map.uv, planar.position, planar.corner, report);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
 
+#include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"
 
 namespace cirque {
@@ -62,19 +63,6 @@ Status WriteMap(const CirclePatternsJob& job, const PolygonSoup& soup, const Sur
   if (Status s = WriteMesh(job.output, AttachUv(soup, surface, uv)); !s.ok()) return s;
   if (job.con.empty()) return Status();
   return WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
-}
-
-/// The measures of the map on the input's own triangles, in the files asked for.
-Status WriteMeasures(const CirclePatternsJob& job, const Surface& surface, const CornerUv& uv,
-                     std::ostream& report) {
-  if (job.measures.empty()) return Status();
-  const Triangulation& t = surface.triangulation;
-  const MapMeasures measures = MeasureMap(t, MeasureEdgeLengths(surface), uv);
-  if (Status s = WriteMeasureFiles(job.measures, surface.position, t.vertex, measures); !s.ok()) {
-    return s;
-  }
-  for (const MeasureFile& file : job.measures) report << "measures    " << file.path << "\n";
-  return Status();
 }
 
 /// The surface to solve on where holes are to be filled; nothing otherwise.
@@ -160,7 +148,10 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     const Timer write_timer;
     const CornerUv uv = *filled ? WithoutFill(**filled, map.uv) : std::move(map.uv);
     if (Status s = WriteMap(job, *soup, *surface, uv, map.flat); !s.ok()) return s;
-    if (Status s = WriteMeasures(job, *surface, uv, report); !s.ok()) return s;
+    if (Status s = WriteMeasures(job, surface->triangulation, MeasureEdgeLengths(*surface), uv,
+                                 surface->position, surface->triangulation.vertex, report);
+        !s.ok())
+      return s;
     map.certificate.seconds["write"] = write_timer.Seconds();
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());

@@ -18,7 +18,7 @@ Metric AngleDistortion() {
   return {"angles",
           "s/t + t/s - 2",
           0,
-          0.2,
+          0.03,
           {{"angle_distortion_max", "maximum of s/t + t/s - 2 (Shay, Solomon, Stein)"}},
           Measure};
 }

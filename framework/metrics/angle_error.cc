@@ -19,7 +19,7 @@ Metric AngleError() {
   return {"angles",
           "mean |angle difference| [rad]",
           0,
-          0.25,
+          0.1,
           {{"angle_error_mean", "mean |angle difference| over the corners [rad]"},
            {"angle_error_max", "its maximum [rad]"},
            {"angle_discrepancy", "sum A sum |angle difference| [rad] (Shay, Solomon, Stein)"}},

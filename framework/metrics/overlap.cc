@@ -88,13 +88,13 @@ class OverlapSum {
     return boxes;
   }
 
-  /// The larger triangles that overlap triangle i.
+  /// The larger triangles near triangle i, from the largest down.
   std::vector<Index> LargerOnes(Index i, const Triangle& triangle) const {
     Eigen::AlignedBox2d box;
     for (const Vector2d& p : triangle) box.extend(p);
     std::vector<Index> found;
     tree_.VisitMeeting(box, [&](Index j) {
-      if (rank_[j] < rank_[i] && InteriorsMeet(triangle, ImageOf(faces_, j))) found.push_back(j);
+      if (rank_[j] < rank_[i]) found.push_back(j);
     });
     std::sort(found.begin(), found.end(), [&](Index j, Index k) { return rank_[j] < rank_[k]; });
     return found;
@@ -108,14 +108,17 @@ class OverlapSum {
   }
 
   void Add(Index i) {
-    const Triangle triangle = ImageOf(faces_, i);
-    const std::vector<Index> larger = LargerOnes(i, triangle);
-    if (larger.empty()) return;
-    const Triangle scaled = Scaled(triangle, triangle[0]);
+    const Triangle triangle = ImageOf(faces_, i), scaled = Scaled(triangle, triangle[0]);
     std::vector<Piece> pieces = {{{scaled.begin(), scaled.end()}, 0}};
-    for (const Index j : larger) {
-      pieces = Cover(std::move(pieces), Scaled(ImageOf(faces_, j), triangle[0]), kNegligible);
+    bool overlaps = false;
+    for (const Index j : LargerOnes(i, triangle)) {
+      const Triangle other = ImageOf(faces_, j);
+      if (pieces.empty()) break;
+      if (!InteriorsMeet(triangle, other)) continue;
+      overlaps = true;
+      pieces = Cover(std::move(pieces), Scaled(other, triangle[0]), kNegligible);
     }
+    if (!overlaps) return;
     double area[2] = {0, 0};
     for (const Piece& piece : pieces) area[piece.times_covered] += Area(piece.polygon);
     once_again_ += std::max(0.0, faces_.image_area[i] - area[0]);

@@ -19,7 +19,7 @@ Metric QuasiConformal() {
   return {"angles",
           "sigma_max / sigma_min",
           1,
-          1.5,
+          1.2,
           {{"quasi_conformal_mean", "mean of sigma_max / sigma_min"},
            {"quasi_conformal_p50", "its median by area"},
            {"quasi_conformal_p95", "its 95th percentile by area"},
