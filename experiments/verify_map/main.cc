@@ -42,7 +42,7 @@ constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 
 const char kUsage[] =
-    "Checks a UV map, or a proof that there is none, sharing no code with what made it.\n"
+    "Checks a UV map, or a proof that there is none; the verdict shares no code with what made it.\n"
     "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
     "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
     "angles?\n"
