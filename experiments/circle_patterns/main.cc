@@ -33,6 +33,9 @@ DEFINE_string(triangulation, cirque::ParameterizeOptions().triangulation,
               "delaunay: intrinsic Delaunay flips first; input: the file's connectivity");
 DEFINE_string(layout, cirque::ParameterizeOptions().layout, "directions or least_squares");
 DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certificate.json");
+DEFINE_string(measures, "",
+              "files of distortion measures, a comma between: .csv (per face), .json (per map), "
+              ".ply or .ply:METRIC (colours)");
 DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of the angle fit");
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
               "solver of the angle fit");
@@ -81,8 +84,11 @@ Status CheckArguments(const std::vector<std::string>& others) {
   return Status();
 }
 
-CirclePatternsJob JobOfFlags() {
+StatusOr<CirclePatternsJob> JobOfFlags() {
   CirclePatternsJob job;
+  StatusOr<std::vector<MeasureFile>> measures = ParseMeasureFiles(FLAGS_measures);
+  if (!measures.ok()) return measures.status().In("--measures");
+  job.measures = *std::move(measures);
   job.input = FLAGS_io;
   job.output = FLAGS_oo;
   job.input_con = FLAGS_ic;
@@ -127,12 +133,13 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);
-  const CirclePatternsJob job = JobOfFlags();
+  const StatusOr<CirclePatternsJob> job = JobOfFlags();
+  if (!job.ok()) return Conclude(job.status());
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};
-  const Status status = job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
-                                              : RunOnMetric(job, control, std::cout);
+  const Status status = job->input_con.empty() ? RunCirclePatterns(*job, control, std::cout)
+                                               : RunOnMetric(*job, control, std::cout);
   progress.Erase();
   return Conclude(status);
 }

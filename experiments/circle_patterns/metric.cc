@@ -7,6 +7,7 @@
 #include "cirque/mesh/con_file.h"
 #include "cirque/mesh/io.h"
 
+#include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"
 #include "experiments/circle_patterns/run.h"
 
@@ -29,15 +30,17 @@ PolygonSoup PlanarMesh(const Triangulation& t, const Parameterization& map) {
   return soup;
 }
 
-Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t, std::ostream& report,
-                    Parameterization* map) {
+Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
+                    const EdgeLengths& lengths, std::ostream& report, Parameterization* map) {
   if (!job.con.empty()) {
     if (Status s = WriteFlatMetric(job, report, map); !s.ok()) return s;
   }
-  if (job.output.empty()) return Status();
-  if (Status s = WriteMesh(job.output, PlanarMesh(t, *map)); !s.ok()) return s;
-  report << "wrote       " << job.output << "\n";
-  return Status();
+  const PolygonSoup planar = PlanarMesh(t, *map);
+  if (!job.output.empty()) {
+    if (Status s = WriteMesh(job.output, planar); !s.ok()) return s;
+    report << "wrote       " << job.output << "\n";
+  }
+  return WriteMeasures(job, t, lengths, map->uv, planar.position, planar.corner, report);
 }
 
 }  // namespace
@@ -61,7 +64,7 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
     if (!targets.ok()) return targets.status();
     status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
   }
-  if (status.ok()) status = WriteOutputs(job, t, report, &map);
+  if (status.ok()) status = WriteOutputs(job, t, metric->lengths, report, &map);
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {
     return status.In(job.input_con);
   }

@@ -18,6 +18,7 @@
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
 
+#include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"
 
 namespace cirque {
@@ -166,6 +167,10 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     const Timer write_timer;
     const CornerUv uv = *filled ? WithoutFill(**filled, map.uv) : std::move(map.uv);
     if (Status s = WriteMap(job, *soup, *surface, uv, report, &map); !s.ok()) return s;
+    if (Status s = WriteMeasures(job, surface->triangulation, MeasureEdgeLengths(*surface), uv,
+                                 surface->position, surface->triangulation.vertex, report);
+        !s.ok())
+      return s;
     map.certificate.seconds["write"] = write_timer.Seconds();
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());

@@ -2,8 +2,10 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "cirque/core/status.h"
+#include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/parameterize.h"
 
 namespace cirque {
@@ -21,6 +23,7 @@ struct CirclePatternsJob {
   bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric
   bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
   std::string certificate;  ///< where to write it; empty: beside the output
+  std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
   ParameterizeOptions options;
 };
 

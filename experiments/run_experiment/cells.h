@@ -31,6 +31,7 @@ struct Cell {
   MeshSpec mesh;
   MethodSpec method;
   int repeat = 0;
+  std::vector<std::string> measures = {};  ///< further figures of the map, as the config lists them
 
   /// "mesh/method", and "#2" for a second repeat: what `--only` searches and `--dry_run` lists.
   std::string Label() const;

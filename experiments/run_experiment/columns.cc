@@ -87,6 +87,22 @@ std::vector<std::string> ShownColumn(const std::vector<Record>& records, const C
   return texts;
 }
 
+/// The fixed columns and those of the measures that the runs were asked for.
+std::vector<Column> TableColumns(const std::vector<Record>& records) {
+  std::vector<Column> columns = FixedColumns();
+  std::set<std::string> shown;
+  for (const Column& column : columns) {
+    if (!column.heading.empty()) shown.insert(column.pointer);
+  }
+  for (const Record& record : records) {
+    for (const std::string name : record.value("measures", nlohmann::json::array())) {
+      const std::string pointer = "/values/" + name;
+      if (shown.insert(pointer).second) columns.push_back({name, pointer, name, "{:.4g}"});
+    }
+  }
+  return columns;
+}
+
 bool IsEmpty(const std::vector<std::string>& shown) {
   return std::all_of(shown.begin() + 1, shown.end(), [](const auto& text) { return text == "-"; });
 }
@@ -129,7 +145,7 @@ std::string ToCsv(const std::vector<Record>& records) {
 
 std::string ToTable(const std::vector<Record>& records) {
   std::vector<std::string> lines(records.size() + 1);
-  for (const Column& column : FixedColumns()) {
+  for (const Column& column : TableColumns(records)) {
     if (column.heading.empty()) continue;
     const std::vector<std::string> shown = ShownColumn(records, column);
     if (IsEmpty(shown)) continue;

@@ -30,17 +30,18 @@ nlohmann::json MethodJson(const MethodSpec& method) {
 
 std::string RunKey(const Cell& cell, const std::string& mesh_hash,
                    const std::string& code_version) {
-  const nlohmann::json determined_by = {{"mesh", cell.mesh.name},
-                                        {"mesh_hash", mesh_hash},
-                                        {"method", MethodJson(cell.method)},
-                                        {"repeat", cell.repeat},
-                                        {"code", code_version}};
+  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+                                  {"mesh_hash", mesh_hash},
+                                  {"method", MethodJson(cell.method)},
+                                  {"repeat", cell.repeat},
+                                  {"code", code_version}};
+  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
   return HashOf(ToLine(determined_by));
 }
 
 Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
                   const RunResult& result, const nlohmann::json& provenance) {
-  const Record record = {
+  Record record = {
       {"key", key},
       {"mesh",
        {{"name", cell.mesh.name},
@@ -57,6 +58,7 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"seconds", NumbersJson(result.certificate.seconds)},
       {"provenance", provenance},
   };
+  if (!cell.measures.empty()) record["measures"] = cell.measures;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));
 }

@@ -3,6 +3,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/known_map.h"
 
@@ -40,6 +41,12 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
                                      SolveControl(), &parameterization);
   parameterization.certificate.seconds.merge(seconds);
   result->certificate = std::move(parameterization.certificate);
+  if (status.ok() && !cell.measures.empty()) {
+    auto figures = MeasureFigures(surface->triangulation, MeasureEdgeLengths(*surface),
+                                  parameterization.uv, cell.measures);
+    if (!figures.ok()) return figures.status();
+    result->certificate.values.merge(*figures);
+  }
   // A closed surface's known map has periods: it is known up to more than a similarity.
   if (status.ok() && !BoundaryLoops(surface->triangulation).empty()) {
     result->certificate.values.merge(KnownMapErrors(cell.mesh, *surface, parameterization.uv));

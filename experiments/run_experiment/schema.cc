@@ -4,6 +4,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/mesh/generators.h"
+#include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/method_fields.h"
 
@@ -98,6 +99,10 @@ Schema MakeSchema() {
                     .default_text = "1",
                     .minimum = 1,
                     .maximum = 1000});
+  schema.push_back({.path = "measures",
+                    .help = "further figures of every map, one or a list: columns of the results",
+                    .list = true,
+                    .choices = FigureNames()});
   schema.push_back({.path = "output",
                     .help = "the folder of the results",
                     .default_text = "results/runs/NAME-OF-THE-CONFIG"});

@@ -122,7 +122,8 @@ void Validator::CheckValue(const YAML::Node& value, Place place, const SchemaFie
   if (value.IsNull()) {
     problems_.Add(place,
                   fmt::format("'{}' has no value; expected {}", field.Key(), Expectation(field)));
-  } else if (value.IsSequence() && (field.matrix || field.kind == FieldKind::kSections)) {
+  } else if (value.IsSequence() &&
+             (field.matrix || field.list || field.kind == FieldKind::kSections)) {
     CheckList(value, place, field);
   } else if (value.IsScalar() && field.kind != FieldKind::kSections) {
     CheckScalar(value, field);

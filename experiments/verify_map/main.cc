@@ -10,6 +10,7 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
 #include "cirque/mesh/io.h"
+#include "cirque/metrics/measure_files.h"
 
 #include "experiments/common/flag_parsing.h"
 #include "experiments/verify_map/infeasibility_check.h"
@@ -17,6 +18,10 @@
 #include "experiments/verify_map/verify.h"
 
 DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
+DEFINE_string(
+    measures, "",
+    "files of distortion measures, a comma between: .csv (per triangle), .json (per map), "
+    ".ply or .ply:METRIC (colours on IN)");
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");
@@ -37,7 +42,7 @@ constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 
 const char kUsage[] =
-    "Checks a UV map, or a proof that there is none, sharing no code with what made it.\n"
+    "Checks a UV map, or a proof that there is none; the verdict shares no code with what made it.\n"
     "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
     "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
     "angles?\n"
@@ -73,6 +78,13 @@ int VerifyInfeasibility(const std::vector<std::string>& files) {
   return Conclude(*report, report->accepted());
 }
 
+/// The measures in the files asked for; none where an error left nothing to measure.
+Status WriteMeasures(const std::vector<MeasureFile>& files, const PolygonSoup& in,
+                     const MapReport& report) {
+  if (files.empty() || !report.measures) return Status();
+  return WriteMeasureFiles(files, in.position, FanTriangulate(in)->vertex, *report.measures);
+}
+
 int VerifyFiles(const std::vector<std::string>& files) {
   const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
   if (!in.ok()) return Complain(in.status());
@@ -89,8 +101,11 @@ int VerifyFiles(const std::vector<std::string>& files) {
     if (!targets.ok()) return Complain(targets.status());
     options.targets = *std::move(targets);
   }
+  const StatusOr<std::vector<MeasureFile>> measures = ParseMeasureFiles(FLAGS_measures);
+  if (!measures.ok()) return Complain(measures.status().In("--measures"));
   const StatusOr<MapReport> report = VerifyMap(*in, *out, options);
   if (!report.ok()) return Complain(report.status());
+  if (Status s = WriteMeasures(*measures, *in, *report); !s.ok()) return Complain(s);
   return Conclude(*report, report->valid());
 }
 

@@ -47,17 +47,9 @@ void PutAngles(const AngleMeasures& angles, Json* json) {
   PutIds("off_target_vertices", angles.off_target, json);
 }
 
-void PutDistortion(const Distortion& d, Json* json) {
-  (*json)["triangles_without_distortion"] = d.num_skipped;
-  (*json)["quasi_conformal_mean"] = d.quasi_conformal_mean;
-  (*json)["quasi_conformal_p50"] = d.quasi_conformal_p50;
-  (*json)["quasi_conformal_p95"] = d.quasi_conformal_p95;
-  (*json)["quasi_conformal_p99"] = d.quasi_conformal_p99;
-  (*json)["quasi_conformal_max"] = d.quasi_conformal_max;
-  (*json)["quasi_conformal_worst_triangle"] = d.quasi_conformal_worst;
-  (*json)["log_area_min"] = d.log_area_min;
-  (*json)["log_area_max"] = d.log_area_max;
-  (*json)["log_area_l2"] = d.log_area_l2;
+void PutMeasures(const MapMeasures& measures, Json* json) {
+  for (const MapMeasures::Figure& figure : measures.figures) (*json)[figure.name] = figure.value;
+  (*json)["quasi_conformal_worst_triangle"] = WorstTriangle(measures);
 }
 
 void PutOverlap(const OverlapResult& overlap, Json* json) {
@@ -93,7 +85,7 @@ std::string ToJson(const MapReport& report) {
     json["seam_edges"] = report.seams->num_edges;
     json["largest_seam_length_difference"] = report.seams->largest_difference;
   }
-  if (report.distortion) PutDistortion(*report.distortion, &json);
+  if (report.measures) PutMeasures(*report.measures, &json);
   json["patches"] = report.num_patches;
   if (report.overlap) PutOverlap(*report.overlap, &json);
   return json.dump(2) + "\n";

@@ -61,17 +61,11 @@ std::string AngleLines(const AngleMeasures& angles) {
          Line("Delaunay margin", fmt::format("{:.6g} rad", angles.delaunay_margin));
 }
 
-std::string DistortionLines(const Distortion& d) {
-  std::string text =
-      Line("quasi-conformal",
-           fmt::format("mean {:.6g}, median {:.6g}, 95 % {:.6g}, 99 % {:.6g}, max {:.6g} "
-                       "(triangle {})",
-                       d.quasi_conformal_mean, d.quasi_conformal_p50, d.quasi_conformal_p95,
-                       d.quasi_conformal_p99, d.quasi_conformal_max, d.quasi_conformal_worst)) +
-      Line("log area ratio", fmt::format("min {:.6g}, max {:.6g}, L2 {:.6g}", d.log_area_min,
-                                         d.log_area_max, d.log_area_l2));
-  if (d.num_skipped == 0) return text;
-  return text + Line("", fmt::format("{} without area left out", Count(d.num_skipped, "triangle")));
+std::string MeasureLines(const MapMeasures& measures) {
+  const std::string text = FormatFigures(measures);
+  const Index worst = WorstTriangle(measures);
+  if (worst == kNone) return text;
+  return text + Line("least conformal", fmt::format("triangle {}", worst));
 }
 
 std::string OverlapLines(const OverlapResult& overlap, Index num_patches) {
@@ -112,8 +106,8 @@ std::string ToText(const MapReport& report) {
                                       Count(report.seams->num_edges, "edge"),
                                       report.seams->largest_difference));
   }
-  if (report.distortion) text += DistortionLines(*report.distortion);
   if (report.overlap) text += OverlapLines(*report.overlap, report.num_patches);
+  if (report.measures) text += MeasureLines(*report.measures);
   return text + "verdict: " + report.Verdict() + "\n";
 }
 

@@ -120,7 +120,7 @@ void JudgeMap(const UvComplex& complex, const std::vector<Eigen::Vector3d>& posi
   if (!oriented) report->angles->wrapped.clear();
   Append(AngleErrors(*report->angles, options), &report->errors);
   JudgeSeams(complex, options, report);
-  report->distortion = MeasureDistortion(complex, position);
+  report->measures = MeasureComplex(complex, position);
   if (!oriented || !report->angles->wrapped.empty()) return;
   report->overlap = CheckOverlap(complex);
   if (options.require_injective) {

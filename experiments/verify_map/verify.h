@@ -9,8 +9,9 @@
 
 #include "experiments/verify_map/angle_check.h"
 #include "experiments/verify_map/correspondence.h"
-#include "experiments/verify_map/distortion.h"
+#include "experiments/verify_map/measures.h"
 #include "experiments/verify_map/overlap_check.h"
+#include "experiments/verify_map/seams.h"
 
 namespace cirque::verify_map {
 
@@ -39,7 +40,7 @@ struct MapReport {
   std::optional<Orientations> orientations;
   std::optional<AngleMeasures> angles;
   std::optional<SeamAgreement> seams;
-  std::optional<Distortion> distortion;
+  std::optional<MapMeasures> measures;
   std::optional<OverlapResult> overlap;  ///< judged for locally injective maps only
 
   bool valid() const { return errors.empty(); }

@@ -1,12 +1,13 @@
 #include "cirque/pipeline/infeasibility_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "cirque/mesh/coloured_ply.h"
 
 namespace cirque {
 namespace {
@@ -57,12 +58,11 @@ std::vector<double> FaceStrengths(const Surface& surface, const InfeasibilityPro
   return strength;
 }
 
-std::array<int, 3> Colour(double strength) {
+Colour ColourOf(double strength) {
   const double share = std::abs(strength) <= kCarries ? 0 : std::sqrt(std::abs(strength));
   const int strong = static_cast<int>(std::lround(kGrey + (255 - kGrey) * share));
   const int weak = static_cast<int>(std::lround(kGrey * (1 - share)));
-  return strength > 0 ? std::array<int, 3>{strong, weak, weak}
-                      : std::array<int, 3>{weak, weak, strong};
+  return strength > 0 ? Colour{strong, weak, weak} : Colour{weak, weak, strong};
 }
 
 }  // namespace
@@ -78,23 +78,11 @@ std::string InfeasibilityCsv(const InfeasibilityProof& proof) {
 }
 
 std::string InfeasibilityPly(const Surface& surface, const InfeasibilityProof& proof) {
-  const Triangulation& t = surface.triangulation;
-  std::string ply = fmt::format(
-      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-      t.num_vertices, t.num_faces());
-  const auto out = std::back_inserter(ply);
-  for (const Eigen::Vector3d& p : surface.position) {
-    fmt::format_to(out, "{} {} {}\n", p.x(), p.y(), p.z());
+  std::vector<Colour> colours;
+  for (const double strength : FaceStrengths(surface, proof)) {
+    colours.push_back(ColourOf(strength));
   }
-  const std::vector<double> strengths = FaceStrengths(surface, proof);
-  for (Index f = 0; f < t.num_faces(); ++f) {
-    const auto [red, green, blue] = Colour(strengths[f]);
-    fmt::format_to(out, "3 {} {} {} {} {} {}\n", t.vertex[3 * f], t.vertex[3 * f + 1],
-                   t.vertex[3 * f + 2], red, green, blue);
-  }
-  return ply;
+  return FormatColouredPly(surface.position, surface.triangulation.vertex, colours);
 }
 
 }  // namespace cirque

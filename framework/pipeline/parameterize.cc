@@ -15,8 +15,8 @@
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/simple_cones.h"
-#include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/metrics/measure_map.h"
 #include "cirque/pipeline/snap_rotations.h"
 
 namespace cirque {
@@ -114,13 +114,10 @@ void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterizatio
   const Triangulation opened = CutOpen(t, result->cut);
   Certificate& certificate = result->certificate;
   certificate.overlap = ToString(FindBoundaryContact(opened, result->uv));
-  const DistortionSummary d = Summarize(MeasureDistortion(t, lengths, result->uv));
   certificate.values.merge(
-      std::map<std::string, double>{{"quasi_conformal_mean", d.quasi_conformal_mean},
-                                    {"quasi_conformal_max", d.quasi_conformal_max},
-                                    {"log_area_ratio_l2", d.log_area_ratio_l2},
-                                    {"log_area_ratio_min", d.log_area_ratio_min},
-                                    {"log_area_ratio_max", d.log_area_ratio_max}});
+      *MeasureFigures(t, lengths, result->uv,
+                      {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
+                       "log_area_ratio_min", "log_area_ratio_max"}));
 }
 
 Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,

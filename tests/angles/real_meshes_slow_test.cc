@@ -1,16 +1,12 @@
 // The three ways to the quadratic program on real meshes.
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include <gtest/gtest.h>
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
-#include "cirque/mesh/io.h"
-#include "cirque/mesh/preflight.h"
 
-#include "tests/common/paths.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -19,16 +15,11 @@ namespace {
 class RealMeshesSlow : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RealMeshesSlow, DualInteriorPointAndAugmentedLagrangianAgreeInEveryAngle) {
-  const std::string path = ProjectPath("../shared/meshes/" + GetParam() + ".obj");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
-  PreflightReport report;
-  const StatusOr<PolygonSoup> soup = ReadMesh(path);
-  ASSERT_TRUE(soup.ok()) << soup.status().message();
-  const StatusOr<Surface> surface = Preflight(*soup, &report);
-  ASSERT_TRUE(surface.ok()) << surface.status().message();
-  const AngleConstraints constraints(surface->triangulation,
-                                     FreeBoundaryTargets(surface->triangulation));
-  const CornerAngles reference = AnglesOf(*surface);
+  const auto mesh = ReadSharedSurface(GetParam());
+  if (!mesh) GTEST_SKIP() << GetParam() << " is not there";
+  const Triangulation& t = mesh->surface.triangulation;
+  const AngleConstraints constraints(t, FreeBoundaryTargets(t));
+  const CornerAngles reference = AnglesOf(mesh->surface);
   const auto fit_by = [&](const std::string& method, const OptionMap& options) {
     AngleFitResult fit;
     const Status status =

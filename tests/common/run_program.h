@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "tests/common/temporary_folder.h"
+
 namespace cirque {
 
 /// What a program of the project printed and how it ended.
@@ -12,19 +14,5 @@ struct ProgramResult {
 
 /// Runs "bin/COMMAND" through the shell, without standard input.
 ProgramResult RunProgram(const std::string& command);
-
-/// A folder of this test's own, empty, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string Path(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 }  // namespace cirque

@@ -1,19 +1,22 @@
 #include "tests/common/surfaces.h"
 
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 #include <glog/logging.h>
 
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/generators.h"
-#include "cirque/mesh/preflight.h"
+#include "cirque/mesh/io.h"
+
+#include "tests/common/paths.h"
 
 namespace cirque {
 namespace {
 
-Surface MustBeSurface(const PolygonSoup& soup) {
-  PreflightReport report;
-  StatusOr<Surface> surface = Preflight(soup, &report);
+Surface MustBeSurface(const PolygonSoup& soup, PreflightReport* report) {
+  StatusOr<Surface> surface = Preflight(soup, report);
   CHECK(surface.ok()) << surface.status().message();
   return *std::move(surface);
 }
@@ -25,8 +28,23 @@ void AddTriangle(PolygonSoup* soup, Index a, Index b, Index c) {
 
 }  // namespace
 
+Surface SurfaceOf(const PolygonSoup& soup) {
+  PreflightReport report;
+  return MustBeSurface(soup, &report);
+}
+
+std::optional<SharedSurface> ReadSharedSurface(const std::string& name) {
+  const std::string path = ProjectPath("../shared/meshes/" + name + ".obj");
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const StatusOr<PolygonSoup> soup = ReadMesh(path);
+  CHECK(soup.ok()) << soup.status().message();
+  SharedSurface mesh{*soup, {}, {}};
+  mesh.surface = MustBeSurface(mesh.soup, &mesh.report);
+  return mesh;
+}
+
 Surface GeneratedSurface(const std::string& generator, Index triangles, unsigned seed) {
-  return MustBeSurface((*MeshGenerators().Find(generator))({triangles, seed}));
+  return SurfaceOf((*MeshGenerators().Find(generator))({triangles, seed}));
 }
 
 Surface Fan(int n, double height) {
@@ -36,7 +54,7 @@ Surface Fan(int n, double height) {
     soup.position.emplace_back(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n), 0);
     AddTriangle(&soup, 0, 1 + i, 1 + (i + 1) % n);
   }
-  return MustBeSurface(soup);
+  return SurfaceOf(soup);
 }
 
 Surface Kleetope(const Surface& surface) {
@@ -51,7 +69,7 @@ Surface Kleetope(const Surface& surface) {
     AddTriangle(&soup, b, c, apex);
     AddTriangle(&soup, c, a, apex);
   }
-  return MustBeSurface(soup);
+  return SurfaceOf(soup);
 }
 
 CornerAngles AnglesOf(const Surface& surface) {

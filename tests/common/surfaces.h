@@ -1,11 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cirque/core/metric.h"
+#include "cirque/mesh/preflight.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {
+
+/// The soup as a surface, which it must be.
+Surface SurfaceOf(const PolygonSoup& soup);
+
+/// A mesh of ../shared/meshes, which must be a surface.
+struct SharedSurface {
+  PolygonSoup soup;
+  PreflightReport report;
+  Surface surface;
+};
+
+/// Reads NAME.obj there; nothing where the file does not exist, for the test to be skipped.
+std::optional<SharedSurface> ReadSharedSurface(const std::string& name);
 
 /// A generator's mesh as a surface.
 Surface GeneratedSurface(const std::string& generator, Index triangles, unsigned seed = 1);

@@ -12,10 +12,7 @@
 #include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/mesh/generators.h"
-#include "cirque/mesh/io.h"
-#include "cirque/mesh/preflight.h"
 
-#include "tests/common/paths.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -214,17 +211,13 @@ struct SharedMesh {
 class SharedCuts : public testing::TestWithParam<SharedMesh> {};
 
 TEST_P(SharedCuts, AreDisks) {
-  const StatusOr<PolygonSoup> soup =
-      ReadMesh(ProjectPath(std::string("../shared/meshes/") + GetParam().name + ".obj"));
-  if (!soup.ok()) GTEST_SKIP() << soup.status().message();
-  PreflightReport report;
-  const StatusOr<Surface> surface = Preflight(*soup, &report);
-  ASSERT_TRUE(surface.ok()) << surface.status().message();
-  const Triangulation& t = surface->triangulation;
-  EXPECT_EQ(report.genus, GetParam().genus);
+  const auto mesh = ReadSharedSurface(GetParam().name);
+  if (!mesh) GTEST_SKIP() << GetParam().name << " is not there";
+  const Triangulation& t = mesh->surface.triangulation;
+  EXPECT_EQ(mesh->report.genus, GetParam().genus);
   EXPECT_EQ(BoundaryLoops(t).size(), GetParam().loops);
   for (const std::vector<Index>& cones : {std::vector<Index>{}, {0, 10, 500, 1000, 1500}}) {
-    const StatusOr<Cut> cut = CutGraph(t, Lengths(*surface), cones);
+    const StatusOr<Cut> cut = CutGraph(t, Lengths(mesh->surface), cones);
     ASSERT_TRUE(cut.ok()) << cut.status().message();
     ExpectGoodCut(t, *cut, cones);
   }

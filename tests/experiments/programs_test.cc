@@ -88,6 +88,30 @@ TEST_F(ProgramsTest, ConesFixedAndRangedAreMet) {
   }
 }
 
+TEST_F(ProgramsTest, MeasuresOfTheProgramAreThoseOfItsFiles) {
+  const std::string in = Write("in.obj", *GenerateMesh("torus", {500, 1}));
+  const std::string out = folder_.Path("out.obj"), own = folder_.Path("own.json");
+  const std::string colours = folder_.Path("own.ply");
+  const ProgramResult flattened = Flatten(in, out, "--measures=" + own + "," + colours);
+  ASSERT_EQ(flattened.exit_status, 0) << flattened.output;
+  EXPECT_THAT(flattened.output, HasSubstr("measures    " + own));
+  EXPECT_EQ(ReadMesh(colours)->corner, ReadMesh(in)->corner);
+  const std::string checked = folder_.Path("checked.json");
+  const ProgramResult verified =
+      RunProgram("verify_map " + in + " " + out + " --measures=" + checked);
+  ASSERT_EQ(verified.exit_status, 0) << verified.output;
+  EXPECT_THAT(verified.output, HasSubstr("symmetric_dirichlet"));
+  const auto a = nlohmann::json::parse(std::ifstream(own))["measures"];
+  const auto b = nlohmann::json::parse(std::ifstream(checked))["measures"];
+  EXPECT_GT(a.size(), 25u);
+  EXPECT_GT(a["cut_length"], 1);
+  for (const auto& [name, value] : a.items()) {
+    const double expected = value;
+    EXPECT_NEAR(b[name].get<double>(), expected, 1e-9 * (1 + std::abs(expected))) << name;
+  }
+  EXPECT_EQ(Flatten(in, out, "--measures=a.txt").exit_status, 2);
+}
+
 TEST_F(ProgramsTest, FilledHolesAreNotInTheOutput) {
   const std::string in = Write("in.obj", *GenerateMesh("annulus", {400, 1}));
   const std::string out = folder_.Path("out.obj");

@@ -8,7 +8,7 @@
 
 #include "experiments/run_experiment/archive.h"
 #include "experiments/run_experiment/mesh_files.h"
-#include "tests/experiments/run_experiment_support.h"
+#include "tests/common/temporary_folder.h"
 
 namespace cirque {
 namespace {

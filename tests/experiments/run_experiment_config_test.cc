@@ -8,7 +8,7 @@
 #include "experiments/run_experiment/config.h"
 #include "experiments/run_experiment/schema.h"
 #include "tests/common/paths.h"
-#include "tests/experiments/run_experiment_support.h"
+#include "tests/common/temporary_folder.h"
 
 namespace cirque {
 namespace {
@@ -48,9 +48,9 @@ const std::vector<BadConfig>& BadConfigs() {
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
        ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
-       "repeats, output"},
+       "repeats, measures, output"},
       {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
-       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, output"},
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, measures, output"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
@@ -81,6 +81,10 @@ const std::vector<BadConfig>& BadConfigs() {
        ":6:10: 'repeats' must be a whole number from 1 to 1000"},
       {"MapInList", Config(kMesh, "{name: a, epsilon: [{b: 1}]}"),
        ":5:25: a value of 'epsilon' must be a number from 1e-12 to 1"},
+      {"UnknownMeasure", Config(kMesh, kMethod, "measures: [log_scale_l2, overlap_are]\n"),
+       ":6:26: unknown measures 'overlap_are'; did you mean 'overlap_area'?"},
+      {"MeasureTwice", Config(kMesh, kMethod, "measures: [cut_length, cut_length]\n"),
+       ":6:24: 'cut_length' is listed twice"},
       {"Yes", Config("{optional: yes, file: x}", kMethod),
        ":3:16: 'optional' must be true or false, not 'yes'"},
       {"EmptyList", "question: why\nmeshes: []\nmethods:\n  - name: a\n",
@@ -196,6 +200,19 @@ TEST(RunExperimentConfig, ListsMakeTheCrossProduct) {
   }
   EXPECT_EQ(distinct.size(), config->cells.size());
   EXPECT_EQ(LabelsOf(*config)[1], "bumpy_terrain-10-s1/m,epsilon=1e-3,max_iterations=5#2");
+}
+
+TEST(RunExperimentConfig, MeasuresGoToEveryRunAsOneOrAList) {
+  const TemporaryFolder folder;
+  const auto measures = [&](const std::string& rest) {
+    const auto config = LoadConfig(folder.Write("a.yaml", Config(kMesh, kMethod, rest)));
+    EXPECT_TRUE(config.ok()) << config.status().message();
+    return config->cells.at(0).measures;
+  };
+  EXPECT_TRUE(measures("").empty());
+  EXPECT_THAT(measures("measures: cut_length\n"), ElementsAre("cut_length"));
+  EXPECT_THAT(measures("measures: [resolution, cut_length]\n"),
+              ElementsAre("resolution", "cut_length"));
 }
 
 TEST(RunExperimentConfig, ASlipThatMakesMillionsOfRunsIsRefusedAtOnce) {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/common/paths.h"
-#include "tests/experiments/run_experiment_support.h"
+#include "tests/common/temporary_folder.h"
 
 namespace cirque {
 namespace {

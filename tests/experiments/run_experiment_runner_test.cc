@@ -10,7 +10,7 @@
 
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/runner.h"
-#include "tests/experiments/run_experiment_support.h"
+#include "tests/common/temporary_folder.h"
 
 namespace cirque {
 namespace {
@@ -293,6 +293,27 @@ TEST_F(RunExperimentTest, TableShowsAlignedColumnsThatSomeRunFilled) {
   EXPECT_THAT(lines[0], HasSubstr("min angle"));
   EXPECT_THAT(lines[0], ::testing::Not(HasSubstr("qc mean")));
   EXPECT_THAT(lines[1], HasSubstr("3.50e-01"));
+}
+
+TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
+  MeshSpec mesh;
+  mesh.name = mesh.generator = "torus";
+  mesh.generator_options.triangles = 300;
+  Cell cell = MakeCells({mesh}, {{"a", {}}}, 1)[0];
+  const std::string plain_key = RunKey(cell, "hash", "code");
+  const auto record = [&] {
+    return MakeRecord("key", cell, {}, ParameterizeCell(cell, ""), nlohmann::json::object());
+  };
+  EXPECT_FALSE(record()["values"].contains("cut_length"));
+  EXPECT_THAT(ToTable({record()}), ::testing::Not(HasSubstr("cut_length")));
+  cell.measures = {"cut_length", "quasi_conformal_mean"};
+  const Record measured = record();
+  EXPECT_GT(measured["values"]["cut_length"], 1);
+  EXPECT_NE(RunKey(cell, "hash", "code"), plain_key);
+  const std::string table = ToTable({measured});
+  EXPECT_THAT(table, HasSubstr("  cut_length\n"));
+  EXPECT_THAT(table, ::testing::Not(HasSubstr("quasi_conformal_mean")));  // shown as "qc mean"
+  EXPECT_THAT(ToCsv({measured}), HasSubstr(",cut_length,"));
 }
 
 TEST_F(RunExperimentTest, ProgressInAFileIsOneLineARun) {

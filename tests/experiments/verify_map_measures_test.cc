@@ -26,30 +26,28 @@ TEST(VerifyMapMeasures, AnAffineMapHasItsSingularValuesRatioEverywhere) {
   turn << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
   stretch << 6, 0, 0, 1.5;
   for (Eigen::Vector2d& p : uv) p = turn * stretch * turn * p + Eigen::Vector2d(5, -8);
-  const Distortion d = *Judge(in, WithVertexUv(in, uv)).distortion;
-  EXPECT_NEAR(d.quasi_conformal_mean, 4, 1e-12);
-  EXPECT_NEAR(d.quasi_conformal_p50, 4, 1e-12);
-  EXPECT_NEAR(d.quasi_conformal_max, 4, 1e-12);
-  EXPECT_NEAR(d.log_area_min, 0, 1e-12);
-  EXPECT_NEAR(d.log_area_max, 0, 1e-12);
-  EXPECT_NEAR(d.log_area_l2, 0, 1e-12);
+  const MapMeasures m = *Judge(in, WithVertexUv(in, uv)).measures;
+  for (const char* name : {"quasi_conformal_mean", "quasi_conformal_p50", "quasi_conformal_max"}) {
+    EXPECT_NEAR(m.ValueOf(name), 4, 1e-12) << name;
+  }
+  for (const char* name : {"log_area_ratio_min", "log_area_ratio_max", "log_area_ratio_l2"}) {
+    EXPECT_NEAR(m.ValueOf(name), 0, 1e-12) << name;
+  }
 }
 
-TEST(VerifyMapMeasures, MeansAndPercentilesWeighByAreaOnTheSurface) {
-  // Areas 9 and 1 of ten; the small one is stretched fourfold in the plane.
+TEST(VerifyMapMeasures, TheWorstTriangleAndSeamsAreFound) {
+  // The second triangle is stretched fourfold in the plane; then the two halves are torn apart.
   const PolygonSoup in = MakeSoup(
       {{0, 0, 0}, {3, 0, 0}, {0, 6, 0}, {0, 0, 5}, {1, 0, 5}, {0, 2, 5}}, {{0, 1, 2}, {3, 4, 5}});
   const PolygonSoup out = WithVertexUv(in, {{0, 0}, {3, 0}, {0, 6}, {10, 0}, {14, 0}, {10, 2}});
-  const Distortion d = *Judge(in, out).distortion;
-  EXPECT_NEAR(d.quasi_conformal_mean, 0.9 * 1 + 0.1 * 4, 1e-12);
-  EXPECT_NEAR(d.quasi_conformal_p50, 1, 1e-12);
-  EXPECT_NEAR(d.quasi_conformal_p95, 4, 1e-12);
-  EXPECT_NEAR(d.quasi_conformal_p99, 4, 1e-12);
-  EXPECT_EQ(d.quasi_conformal_worst, 1);
-  const double large = std::log((9.0 / 13) / 0.9), small = std::log((4.0 / 13) / 0.1);
-  EXPECT_NEAR(d.log_area_min, large, 1e-12);
-  EXPECT_NEAR(d.log_area_max, small, 1e-12);
-  EXPECT_NEAR(d.log_area_l2, std::sqrt(0.9 * large * large + 0.1 * small * small), 1e-12);
+  EXPECT_EQ(WorstTriangle(*Judge(in, out).measures), 1);
+  const PolygonSoup sheet = FlatSheet(1);
+  std::vector<Eigen::Vector2d> uv;
+  for (const Index v : sheet.corner) uv.emplace_back(sheet.position[v].head<2>());
+  EXPECT_EQ(Judge(sheet, WithCornerUv(sheet, uv)).measures->ValueOf("cut_length"), 0);
+  for (int i = 3; i < 6; ++i) uv[i].x() -= 7;
+  EXPECT_NEAR(Judge(sheet, WithCornerUv(sheet, uv)).measures->ValueOf("cut_length"), std::sqrt(2.0),
+              1e-14);
 }
 
 TEST(VerifyMapMeasures, DelaunayMarginAndSmallestAngleOfARhombus) {

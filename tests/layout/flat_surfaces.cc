@@ -9,7 +9,8 @@
 #include <glog/logging.h>
 
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/preflight.h"
+
+#include "tests/common/surfaces.h"
 
 namespace cirque {
 namespace {
@@ -35,12 +36,7 @@ class SoupBuilder {
   }
 
   /// Positions are the coordinates, moved apart by sheets.
-  Surface Build() const {
-    PreflightReport report;
-    StatusOr<Surface> surface = Preflight(soup_, &report);
-    CHECK(surface.ok()) << surface.status().message();
-    return *std::move(surface);
-  }
+  Surface Build() const { return SurfaceOf(soup_); }
 
  private:
   PolygonSoup soup_;

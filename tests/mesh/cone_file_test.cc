@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/gauss_bonnet.h"
-#include "cirque/mesh/io.h"
-#include "cirque/mesh/preflight.h"
 
 #include "tests/common/paths.h"
 #include "tests/common/surfaces.h"
@@ -108,20 +106,17 @@ TEST(AngleSumFile, MessagesSayWhatWhereAndWhatToDo) {
 TEST(AngleSumFile, PublishedTargetsObeyGaussBonnet) {
   for (const std::string name : {"cid-aircraft", "cid-elephant", "cid-fertility_tri"}) {
     SCOPED_TRACE(name);
-    const std::string path = ProjectPath("../shared/meshes/" + name);
-    const StatusOr<PolygonSoup> soup = ReadMesh(path + ".obj");
-    if (!soup.ok()) GTEST_SKIP() << soup.status().message();
-    PreflightReport report;
-    const StatusOr<Surface> surface = Preflight(*soup, &report);
-    ASSERT_TRUE(surface.ok()) << surface.status().message();
-    const StatusOr<ConeTargets> targets =
-        ReadAngleSumFile(path + "_Th_hat", surface->triangulation,
-                         {static_cast<Index>(soup->position.size()), surface->soup_vertex});
+    const auto mesh = ReadSharedSurface(name);
+    if (!mesh) GTEST_SKIP() << name << " is not there";
+    const Triangulation& t = mesh->surface.triangulation;
+    const StatusOr<ConeTargets> targets = ReadAngleSumFile(
+        ProjectPath("../shared/meshes/" + name + "_Th_hat"), t,
+        {static_cast<Index>(mesh->soup.position.size()), mesh->surface.soup_vertex});
     ASSERT_TRUE(targets.ok()) << targets.status().message();
-    const GaussBonnetDefect defect = MeasureGaussBonnetDefect(surface->triangulation, *targets);
+    const GaussBonnetDefect defect = MeasureGaussBonnetDefect(t, *targets);
     EXPECT_NEAR(defect.lower, 0, 1e-9);
     EXPECT_NEAR(defect.upper, 0, 1e-9);
-    EXPECT_NE(targets->lower, FreeBoundaryTargets(surface->triangulation).lower);
+    EXPECT_NE(targets->lower, FreeBoundaryTargets(t).lower);
   }
 }
 

@@ -6,10 +6,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 
-#include "tests/common/paths.h"
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
 
@@ -82,8 +80,7 @@ TEST(HoleFilling, ATriangularHoleTakesOneTriangle) {
   PolygonSoup open = testing::Tetrahedron();
   open.corner.resize(9);
   open.first_corner.resize(4);
-  PreflightReport report;
-  const Surface surface = *Preflight(open, &report);
+  const Surface surface = SurfaceOf(open);
   const FilledSurface filled = MustFill(surface, KeptLoops::kNoLoop);
   EXPECT_EQ(filled.surface.triangulation.num_faces(), 4);
   ExpectFilled(surface, filled, 0);
@@ -91,8 +88,7 @@ TEST(HoleFilling, ATriangularHoleTakesOneTriangle) {
 }
 
 TEST(HoleFilling, ALoneTriangleIsClosedByALiftedFan) {
-  PreflightReport report;
-  const Surface surface = *Preflight(testing::OneTriangle(), &report);
+  const Surface surface = SurfaceOf(testing::OneTriangle());
   const FilledSurface filled = MustFill(surface, KeptLoops::kNoLoop);
   EXPECT_EQ(filled.surface.triangulation.num_faces(), 4);
   ExpectFilled(surface, filled, 0);
@@ -106,11 +102,9 @@ TEST(HoleFilling, AHoleWithItsMeanOnAnEdgeIsLifted) {
   const PolygonSoup soup = testing::MakeSoup(
       position,
       {{0, 1, 6}, {0, 6, 4}, {0, 4, 7}, {0, 7, 3}, {1, 2, 6}, {2, 5, 6}, {2, 7, 5}, {2, 3, 7}});
-  PreflightReport report;
-  const StatusOr<Surface> surface = Preflight(soup, &report);
-  ASSERT_TRUE(surface.ok()) << surface.status().message();
-  ASSERT_EQ(report.boundary_loops, 2);
-  ExpectFilled(*surface, MustFill(*surface, KeptLoops::kLongest), 1);
+  const Surface surface = SurfaceOf(soup);
+  ASSERT_EQ(BoundaryLoops(surface.triangulation).size(), 2u);
+  ExpectFilled(surface, MustFill(surface, KeptLoops::kLongest), 1);
 }
 
 TEST(HoleFilling, TheFillDoesNotAppearInTheOutput) {
@@ -130,13 +124,10 @@ TEST(HoleFilling, ClosesTheHolesOfSharedMeshesSlow) {
   for (const std::string name : {"cgal-elephant-with-holes", "oded-plane_holes", "bff-beetle",
                                  "cgal-holes", "trimesh-featuretype", "bff-inverted_triangles"}) {
     SCOPED_TRACE(name);
-    const StatusOr<PolygonSoup> soup = ReadMesh(ProjectPath("../shared/meshes/" + name + ".obj"));
-    if (!soup.ok()) GTEST_SKIP() << soup.status().message();
-    PreflightReport report;
-    const StatusOr<Surface> surface = Preflight(*soup, &report);
-    ASSERT_TRUE(surface.ok()) << surface.status().message();
-    ExpectFilled(*surface, MustFill(*surface, KeptLoops::kLongest), 1);
-    ExpectFilled(*surface, MustFill(*surface, KeptLoops::kNoLoop), 0);
+    const auto mesh = ReadSharedSurface(name);
+    if (!mesh) GTEST_SKIP() << name << " is not there";
+    ExpectFilled(mesh->surface, MustFill(mesh->surface, KeptLoops::kLongest), 1);
+    ExpectFilled(mesh->surface, MustFill(mesh->surface, KeptLoops::kNoLoop), 0);
   }
 }
 

@@ -8,10 +8,7 @@
 
 #include "cirque/core/gauss_bonnet.h"
 #include "cirque/mesh/farthest_vertices.h"
-#include "cirque/mesh/io.h"
-#include "cirque/mesh/preflight.h"
 
-#include "tests/common/paths.h"
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
 
@@ -69,8 +66,7 @@ TEST(SimpleCones, LieApartAndWhereTheSurfaceIsCurvedTheirWay) {
 }
 
 TEST(SimpleCones, SmallSurfacesGetFewerAndStrongerOnes) {
-  PreflightReport report;
-  const Surface tetrahedron = *Preflight(testing::Tetrahedron(), &report);
+  const Surface tetrahedron = SurfaceOf(testing::Tetrahedron());
   const StatusOr<ConeTargets> targets =
       SimpleConeTargets(tetrahedron.triangulation, MeasureEdgeLengths(tetrahedron));
   ASSERT_TRUE(targets.ok());
@@ -156,17 +152,14 @@ TEST(SimpleCones, ExistOnTheClosedSharedMeshesSlow) {
   for (const std::string name : {"d-fertility-closed", "bff-kitten", "gpjs-double-torus",
                                  "cid-aircraft", "cgal-cheese", "gpjs-gargoyle"}) {
     SCOPED_TRACE(name);
-    const StatusOr<PolygonSoup> soup = ReadMesh(ProjectPath("../shared/meshes/" + name + ".obj"));
-    if (!soup.ok()) GTEST_SKIP() << soup.status().message();
-    PreflightReport report;
-    const StatusOr<Surface> surface = Preflight(*soup, &report);
-    ASSERT_TRUE(surface.ok()) << surface.status().message();
-    const StatusOr<ConeTargets> targets =
-        SimpleConeTargets(surface->triangulation, MeasureEdgeLengths(*surface));
+    const auto mesh = ReadSharedSurface(name);
+    if (!mesh) GTEST_SKIP() << name << " is not there";
+    const Triangulation& t = mesh->surface.triangulation;
+    const StatusOr<ConeTargets> targets = SimpleConeTargets(t, MeasureEdgeLengths(mesh->surface));
     ASSERT_TRUE(targets.ok()) << targets.status().message();
-    if (report.boundary_loops == 0) {
-      ExpectValid(surface->triangulation, *targets);
-      EXPECT_EQ(ConesOf(*targets).empty(), report.genus == 1);
+    if (mesh->report.boundary_loops == 0) {
+      ExpectValid(t, *targets);
+      EXPECT_EQ(ConesOf(*targets).empty(), mesh->report.genus == 1);
     }
   }
 }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/preflight.h"
 
+#include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
 
 namespace cirque {
@@ -16,16 +16,9 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-Surface MakeSurface(const PolygonSoup& soup) {
-  PreflightReport report;
-  StatusOr<Surface> surface = Preflight(soup, &report);
-  EXPECT_TRUE(surface.ok()) << surface.status().message();
-  return *std::move(surface);
-}
-
 /// One triangle of these sides; side k lies opposite corner k.
 CornerAngles AnglesOfSides(double a, double b, double c) {
-  const Surface surface = MakeSurface(testing::OneTriangle());
+  const Surface surface = SurfaceOf(testing::OneTriangle());
   EdgeLengths lengths;
   lengths.value.resize(3);
   for (int k = 0; k < 3; ++k) {
@@ -38,7 +31,7 @@ TEST(Surface, EdgeLengthsAreEuclideanAtEveryScale) {
   for (const double scale : {1e-200, 1.0, 1e200}) {
     PolygonSoup soup = testing::OneTriangle();
     soup.position = {{0, 0, 0}, {3 * scale, 0, 0}, {3 * scale, 0, 4 * scale}};
-    const Surface surface = MakeSurface(soup);
+    const Surface surface = SurfaceOf(soup);
     const EdgeLengths lengths = MeasureEdgeLengths(surface);
     ASSERT_EQ(lengths.value.size(), 3);
     const auto at = [&](Index h) { return lengths.value[surface.triangulation.edge[h]] / scale; };
@@ -83,7 +76,7 @@ TEST(CornerAngles, WithoutTheTriangleInequalityTheLongestEdgeFacesPi) {
 }
 
 TEST(CornerAngles, OfAClosedSurfaceSumToPiAFace) {
-  const Surface surface = MakeSurface(testing::Torus());
+  const Surface surface = SurfaceOf(testing::Torus());
   const CornerAngles angles =
       MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
   double least = kPi;
@@ -102,7 +95,7 @@ TEST(AttachUv, WritesEachUvOfAVertexOnce) {
   input.corner_texture.assign(6, 0);
   CornerUv uv;
   uv.value = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0.25, 1}};
-  const PolygonSoup soup = AttachUv(input, MakeSurface(input), uv);
+  const PolygonSoup soup = AttachUv(input, SurfaceOf(input), uv);
   EXPECT_EQ(soup.position, input.position);
   EXPECT_EQ(soup.corner, input.corner);
   EXPECT_THAT(soup.first_corner, ElementsAre(0, 3, 6));
@@ -114,7 +107,7 @@ TEST(AttachUv, WritesEachUvOfAVertexOnce) {
 
 TEST(AttachUv, EveryCornerGetsItsOwnUvBack) {
   const PolygonSoup input = testing::Torus();
-  const Surface surface = MakeSurface(input);
+  const Surface surface = SurfaceOf(input);
   CornerUv uv;
   for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
     uv.value.emplace_back(h % 4, surface.triangulation.vertex[h]);

@@ -1,0 +1,56 @@
+#include "experiments/verify_map/measures.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace cirque::verify_map {
+namespace {
+
+/// The surface in the library's numbering, where halfedge 3 f + k lies opposite corner k and not
+/// behind it.
+Triangulation ToTriangulation(const Surface& surface) {
+  std::vector<Index> twin(surface.twin.size(), kNone);
+  for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
+    const Index across = surface.twin[FanMesh::Next(h)];
+    if (across != kNone) twin[h] = FanMesh::Prev(across);
+  }
+  return NumberEdges(surface.mesh.num_vertices, surface.mesh.vertex, std::move(twin));
+}
+
+CornerAngles AnglesInSpace(const Triangulation& t, const std::vector<Eigen::Vector3d>& position) {
+  CornerAngles angles;
+  angles.value.resize(t.num_halfedges());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Eigen::Vector3d& apex = position[t.vertex[h]];
+    const Eigen::Vector3d a = position[t.Tail(h)] - apex, b = position[t.Tip(h)] - apex;
+    angles.value[h] = std::atan2(a.cross(b).stableNorm(), a.dot(b));
+  }
+  return angles;
+}
+
+}  // namespace
+
+MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Vector3d>& position) {
+  const Triangulation t = ToTriangulation(complex.surface);
+  EdgeLengths lengths;
+  lengths.value.resize(t.num_edges());
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    lengths.value[e] = (position[t.Tip(h)] - position[t.Tail(h)]).stableNorm();
+  }
+  const CornerAngles angles = AnglesInSpace(t, position);
+  return MeasureMap(t, lengths, {complex.uv}, &angles);
+}
+
+Index WorstTriangle(const MapMeasures& measures) {
+  const Eigen::VectorXd& ratio = measures.FaceValuesOf("quasi_conformal").value;
+  Index worst = kNone;
+  for (Index f = 0; f < ratio.size(); ++f) {
+    if (!std::isnan(ratio[f]) && (worst == kNone || ratio[f] > ratio[worst])) worst = f;
+  }
+  return worst;
+}
+
+}  // namespace cirque::verify_map

@@ -1,0 +1,154 @@
+#include "cirque/metrics/mapped_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glog/logging.h>
+
+#include "cirque/math/predicates.h"
+#include "cirque/mesh/corner_angles.h"
+
+namespace cirque {
+namespace {
+
+using Eigen::Vector2d;
+
+struct FaceMeasure {
+  double area = 0, image_area = 0, sigma_max = 0, sigma_min = 0;
+  Eigen::Vector3d angle, image_angle;
+  bool flipped = false;
+
+  bool IsMeasurable() const {
+    return area > 0 && image_area > 0 && sigma_min > 0 && std::isfinite(sigma_max / sigma_min) &&
+           std::isfinite(image_area);
+  }
+};
+
+/// a x b with one rounding (Kahan).
+double Cross(const Vector2d& a, const Vector2d& b) {
+  const double product = a.y() * b.x();
+  const double error = std::fma(-a.y(), b.x(), product);
+  return std::fma(a.x(), b.y(), -product) + error;
+}
+
+/// A power of two near the largest, so that scaling by it is exact; 1 where there is none.
+double UnitNear(double largest) {
+  return largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1;
+}
+
+double LongestImageEdge(const CornerUv& uv) {
+  double longest = 0;
+  for (std::size_t h = 0; h < uv.value.size(); ++h) {
+    const Vector2d edge = uv.value[h] - uv.value[h - h % 3];
+    if (edge.allFinite()) longest = std::max(longest, edge.lpNorm<Eigen::Infinity>());
+  }
+  return longest;
+}
+
+/// The singular values of the map that takes the triangle with sides b and c about its corner angle
+/// to image edges p (of side c) and q: half the sum and the difference of the moduli of twice the
+/// conformal and the anticonformal part of its differential, the difference by the determinant.
+void MeasureSingularValues(double b, double c, double angle, const Vector2d& p, const Vector2d& q,
+                           FaceMeasure* m) {
+  const Vector2d x = p / c, y = (q / b - std::cos(angle) * x) / std::sin(angle);
+  m->area = b * c * std::sin(angle) / 2;
+  m->image_area = std::abs(Cross(p, q)) / 2;
+  const double conformal = std::hypot(x.x() + y.y(), x.y() - y.x());
+  const double anticonformal = std::hypot(x.x() - y.y(), x.y() + y.x());
+  m->sigma_max = (conformal + anticonformal) / 2;
+  m->sigma_min = m->image_area / (m->area * m->sigma_max);
+}
+
+class FaceMeter {
+ public:
+  FaceMeter(const MappedFaces& faces, const CornerAngles* angles)
+      : t_(faces.triangulation),
+        lengths_(faces.lengths),
+        uv_(faces.uv),
+        angles_(angles ? *angles : MeasureCornerAngles(t_, lengths_)),
+        length_unit_(UnitNear(lengths_.value.size() > 0 ? lengths_.value.maxCoeff() : 0)),
+        image_unit_(UnitNear(LongestImageEdge(uv_))) {}
+
+  FaceMeasure Measure(Index f) const {
+    FaceMeasure m;
+    for (Index k = 0; k < 3; ++k) {
+      const Vector2d p = ImageEdge(3 * f + k, Triangulation::Next(3 * f + k));
+      const Vector2d q = ImageEdge(3 * f + k, Triangulation::Prev(3 * f + k));
+      if (!p.allFinite() || !q.allFinite()) return {};
+      m.angle[k] = angles_.value[3 * f + k];
+      m.image_angle[k] = std::atan2(std::abs(Cross(p, q)), p.dot(q));
+    }
+    // Seen from its smallest angle, whose sine is accurate however thin the triangle is.
+    Index k = 0;
+    m.angle.minCoeff(&k);
+    const Index h = 3 * f + k, next = Triangulation::Next(h), prev = Triangulation::Prev(h);
+    MeasureSingularValues(Length(next), Length(prev), m.angle[k], ImageEdge(h, next),
+                          ImageEdge(h, prev), &m);
+    const int sign = OrientationSign(uv_.value[3 * f], uv_.value[3 * f + 1], uv_.value[3 * f + 2]);
+    if (sign == 0) return {};
+    m.flipped = sign < 0;
+    return m;
+  }
+
+  double length_unit() const { return length_unit_; }
+  double image_unit() const { return image_unit_; }
+
+ private:
+  double Length(Index h) const { return lengths_.value[t_.edge[h]] / length_unit_; }
+  Vector2d ImageEdge(Index from, Index to) const {
+    return (uv_.value[to] - uv_.value[from]) / image_unit_;
+  }
+
+  const Triangulation& t_;
+  const EdgeLengths& lengths_;
+  const CornerUv& uv_;
+  const CornerAngles angles_;
+  const double length_unit_, image_unit_;
+};
+
+void Resize(Index size, MappedFaces* faces) {
+  faces->area.conservativeResize(size);
+  faces->image_area.conservativeResize(size);
+  faces->sigma_max.conservativeResize(size);
+  faces->sigma_min.conservativeResize(size);
+  faces->angle.conservativeResize(3, size);
+  faces->image_angle.conservativeResize(3, size);
+}
+
+void Append(Index f, const FaceMeasure& m, MappedFaces* faces) {
+  const Index i = faces->num_faces();
+  faces->face.push_back(f);
+  faces->flipped.push_back(m.flipped);
+  faces->area[i] = m.area;
+  faces->image_area[i] = m.image_area;
+  faces->sigma_max[i] = m.sigma_max;
+  faces->sigma_min[i] = m.sigma_min;
+  faces->angle.col(i) = m.angle;
+  faces->image_angle.col(i) = m.image_angle;
+}
+
+}  // namespace
+
+MappedFaces MeasureFaces(const Triangulation& t, const EdgeLengths& lengths, const CornerUv& uv,
+                         const CornerAngles* angles) {
+  CHECK_EQ(static_cast<Index>(uv.value.size()), t.num_halfedges());
+  MappedFaces faces{.triangulation = t, .lengths = lengths, .uv = uv};
+  const FaceMeter meter(faces, angles);
+  Resize(t.num_faces(), &faces);
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    const FaceMeasure m = meter.Measure(f);
+    if (m.IsMeasurable()) Append(f, m, &faces);
+  }
+  Resize(faces.num_faces(), &faces);
+  const double size = std::sqrt(faces.area.sum()), image_size = std::sqrt(faces.image_area.sum());
+  if (faces.num_faces() == 0) return faces;
+  faces.area /= size * size;
+  faces.image_area /= image_size * image_size;
+  faces.sigma_max *= size / image_size;
+  faces.sigma_min *= size / image_size;
+  faces.surface_size = size * meter.length_unit();
+  faces.image_size = image_size * meter.image_unit();
+  return faces;
+}
+
+}  // namespace cirque

@@ -1,0 +1,36 @@
+#include "cirque/metrics/singular_values.h"
+
+#include "cirque/metrics/statistics.h"
+
+namespace cirque {
+namespace {
+
+Measurement MeasureSmaller(const MappedFaces& faces) {
+  return {faces.sigma_min, {Smallest(faces.sigma_min)}};
+}
+
+Measurement MeasureLarger(const MappedFaces& faces) {
+  return {faces.sigma_max, {Largest(faces.sigma_max)}};
+}
+
+}  // namespace
+
+Metric SmallerSingularValue() {
+  return {"lengths",
+          "smaller singular value, areas of total 1",
+          0,
+          2,
+          {{"singular_value_min", "least singular value, areas of total 1"}},
+          MeasureSmaller};
+}
+
+Metric LargerSingularValue() {
+  return {"lengths",
+          "larger singular value, areas of total 1",
+          0,
+          2,
+          {{"singular_value_max", "greatest singular value, areas of total 1"}},
+          MeasureLarger};
+}
+
+}  // namespace cirque

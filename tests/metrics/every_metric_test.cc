@@ -1,0 +1,175 @@
+// What holds for every registered metric, on maps that are conformal, distorted, flipped, folded
+// and torn.
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/metrics/registry.h"
+
+#include "tests/metrics/maps.h"
+
+namespace cirque {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSmall = 1e-9;
+
+struct Sample {
+  std::string name;
+  Surface surface;
+  TestMap map;
+};
+
+/// Moves the images of some faces away: the map is torn along their edges.
+void Tear(const Surface& surface, TestMap* map) {
+  for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      centre += surface.position[surface.triangulation.vertex[h]] / 3;
+    }
+    if (centre.x() < 0.3) continue;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) map->uv.value[h] += Vector2d(0.05, 0.9);
+  }
+}
+
+const std::vector<Sample>& Samples() {
+  static const std::vector<Sample> kTable = [] {
+    const Surface hill = GeneratedSurface("bumpy_terrain", 300);
+    const auto bend = [](const Eigen::Vector3d& p) {
+      return Vector2d(p.x() + 0.3 * p.y() * p.y(), 1.4 * p.y() + 0.2 * std::sin(3 * p.x()));
+    };
+    const auto fold = [](const Eigen::Vector3d& p) {
+      return Vector2d(std::abs(p.x() - 0.41) + 0.1 * p.y(), p.y() + 0.5 * p.z());
+    };
+    std::vector<Sample> samples = {{"identity", Grid(3, 2), DroppedToPlane(Grid(3, 2))},
+                                   {"bent", hill, MapOf(hill, bend)},
+                                   {"folded", hill, MapOf(hill, fold)},
+                                   {"torn", hill, MapOf(hill, fold)}};
+    Tear(hill, &samples.back().map);
+    return samples;
+  }();
+  return kTable;
+}
+
+class EveryMetric : public testing::TestWithParam<std::string> {
+ protected:
+  EveryMetric() : metric_(*Metrics().Find(GetParam())) {}
+
+  Measurement MeasureBy(const TestMap& map) const {
+    return metric_.measure(MeasureFaces(map.triangulation, map.lengths, map.uv));
+  }
+
+  /// The figures agree, up to the power of `scale` that each is documented to grow with.
+  void ExpectSameFigures(const Measurement& wanted, const Measurement& found, double scale = 1) {
+    ASSERT_EQ(found.figures.size(), metric_.figures.size());
+    for (std::size_t i = 0; i < metric_.figures.size(); ++i) {
+      const double value = wanted.figures[i] * std::pow(scale, metric_.figures[i].length_power);
+      EXPECT_TRUE(std::isfinite(value));
+      EXPECT_NEAR(found.figures[i], value, kSmall * (1 + std::abs(value)))
+          << metric_.figures[i].name;
+    }
+  }
+
+  void ExpectSameFaceValues(const Measurement& wanted, const Measurement& found) {
+    ASSERT_EQ(found.face_values.size(), wanted.face_values.size());
+    for (Eigen::Index f = 0; f < wanted.face_values.size(); ++f) {
+      const double value = wanted.face_values[f];
+      EXPECT_NEAR(found.face_values[f], value, kSmall * (1 + std::abs(value))) << f;
+    }
+  }
+
+  bool AxisAligned() const {
+    return std::any_of(metric_.figures.begin(), metric_.figures.end(),
+                       [](const FigureSpec& spec) { return spec.axis_aligned; });
+  }
+
+  const Metric metric_;
+};
+
+TEST_P(EveryMetric, ScaleOfTheSurfaceMattersAsDocumented) {
+  for (const Sample& sample : Samples()) {
+    SCOPED_TRACE(sample.name);
+    TestMap scaled = sample.map;
+    scaled.lengths.value *= 37;
+    const Measurement wanted = MeasureBy(sample.map), found = MeasureBy(scaled);
+    ExpectSameFigures(wanted, found, 37);
+    ExpectSameFaceValues(wanted, found);
+  }
+}
+
+TEST_P(EveryMetric, ScalePlaceAndTurnOfTheImageDoNotMatter) {
+  const double angle = AxisAligned() ? kPi / 2 : 0.7;
+  Eigen::Matrix2d turn;
+  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  for (const Sample& sample : Samples()) {
+    SCOPED_TRACE(sample.name);
+    TestMap moved = sample.map, mirrored = sample.map;
+    for (Vector2d& p : moved.uv.value) p = 0.03 * (turn * p) + Vector2d(2, -5);
+    for (Vector2d& p : mirrored.uv.value) p.x() = -p.x();
+    const Measurement wanted = MeasureBy(sample.map);
+    ExpectSameFigures(wanted, MeasureBy(moved));
+    ExpectSameFaceValues(wanted, MeasureBy(moved));
+    ExpectSameFigures(wanted, MeasureBy(mirrored));
+  }
+}
+
+TEST_P(EveryMetric, MidpointSubdivisionLeavesThePiecewiseLinearMapAsItIs) {
+  for (const Sample& sample : Samples()) {
+    SCOPED_TRACE(sample.name);
+    const Measurement wanted = MeasureBy(sample.map);
+    const Measurement found = MeasureBy(Subdivided(sample.surface, sample.map.uv));
+    ExpectSameFigures(wanted, found);
+    for (Eigen::Index f = 0; f < found.face_values.size(); ++f) {
+      const double value = wanted.face_values[f / 4];
+      EXPECT_NEAR(found.face_values[f], value, kSmall * (1 + std::abs(value))) << f;
+    }
+  }
+}
+
+TEST_P(EveryMetric, TellsSomeMapFromTheIdentity) {
+  std::vector<std::set<double>> values(metric_.figures.size());
+  for (const Sample& sample : Samples()) {
+    Measurement found = MeasureBy(sample.map);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].insert(found.figures[i]);
+    TestMap collapsed = sample.map;
+    for (Index h = 0; h < 3; ++h) collapsed.uv.value[h] = Vector2d(0, 0);
+    found = MeasureBy(collapsed);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].insert(found.figures[i]);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_GT(values[i].size(), 1u) << metric_.figures[i].name;
+  }
+}
+
+TEST_P(EveryMetric, HasNoFigureWhereNoFaceCanBeMeasured) {
+  TestMap collapsed = DroppedToPlane(Grid(2, 1));
+  for (Vector2d& p : collapsed.uv.value) p = Vector2d(1, 1);
+  const Measurement found = MeasureBy(collapsed);
+  EXPECT_EQ(found.face_values.size(), 0);
+  for (const double figure : found.figures) {
+    EXPECT_EQ(std::isnan(figure), GetParam() != "degenerate");
+  }
+}
+
+TEST_P(EveryMetric, SaysWhatItMeasures) {
+  EXPECT_THAT(metric_.group, testing::AnyOf("angles", "areas", "lengths", "injectivity"));
+  EXPECT_LT(metric_.least, metric_.greatest);
+  EXPECT_EQ(metric_.face_meaning.empty(), MeasureBy(Samples()[1].map).face_values.size() == 0);
+  EXPECT_FALSE(metric_.figures.empty());
+  for (const FigureSpec& spec : metric_.figures) EXPECT_FALSE(spec.meaning.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryMetric, testing::ValuesIn(Metrics().Names()),
+                         [](const auto& metric) { return metric.param; });
+
+TEST(Metrics, FiguresHaveNamesOfTheirOwn) {
+  const std::vector<std::string> names = FigureNames();
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  EXPECT_THAT(names, testing::IsSupersetOf({"quasi_conformal_mean", "overlap_area", "cut_length"}));
+}
+
+}  // namespace
+}  // namespace cirque
