@@ -51,7 +51,8 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
   rho.array() -= rho.mean();
   result->log_radii.value = rho;
   Eigen::VectorXd gradient(rho.size());
-  energy.Evaluate(rho.data(), &result->energy, gradient.data());
+  energy.Gradient(rho.data(), gradient.data());
+  result->energy = result->solve.final_value;
   result->gradient_max = gradient.lpNorm<Eigen::Infinity>();
   result->dual_energy = DualEnergy(t, angles, FlatCornerAngles(t, angles, result->log_radii));
   if (result->solve.termination == Termination::kCancelled) {
