@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cirque/core/status.h"
+#include "cirque/core/timer.h"
 #include "cirque/pipeline/parameterize.h"
 
 namespace cirque {
@@ -28,6 +29,11 @@ std::string CertificatePath(const CirclePatternsJob& job);
 /// Where a proof of infeasibility leaves the faces and vertices that carry it: the certificate's
 /// path without ".certificate.json"; ".infeasible.csv" and ".infeasible.ply" are added.
 std::string CarrierStem(const CirclePatternsJob& job);
+
+/// Writes the certificate, with the memory and the time of the process until now, and the carriers
+/// of its proof if it holds one. Returns `status`, or what kept it from writing.
+Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
+                        Certificate* certificate, const Status& status, std::ostream& report);
 
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to

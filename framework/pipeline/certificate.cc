@@ -17,7 +17,8 @@ nlohmann::ordered_json NumbersToJson(const std::map<std::string, double>& number
 }
 
 nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
-  return {{"epsilon_over_pi", proof.epsilon_over_pi},
+  nlohmann::ordered_json json = {
+          {"epsilon_over_pi", proof.epsilon_over_pi},
           {"margin", proof.margin},
           {"carrying_faces", proof.carrying_faces},
           {"carrying_vertices", proof.carrying_vertices},
@@ -26,6 +27,8 @@ nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
           {"upper_over_pi", proof.upper_over_pi},
           {"vertex_multiplier", proof.vertex_multiplier},
           {"face_multiplier", proof.face_multiplier}};
+  if (proof.removed_vertex != kNone) json["removed_vertex"] = proof.removed_vertex;
+  return json;
 }
 
 }  // namespace
