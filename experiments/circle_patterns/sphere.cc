@@ -45,8 +45,8 @@ Status CheckJob(const CirclePatternsJob& job, const SphereJob& sphere) {
 StatusOr<Index> PoleVertex(Index number, Index num_file_vertices, const Surface& surface) {
   if (number == 0) return kNone;
   if (number < 0 || number > num_file_vertices) {
-    return Status::InvalidInput(fmt::format("-pole={}: vertices are counted from 1 to {}", number,
-                                            num_file_vertices));
+    return Status::InvalidInput(
+        fmt::format("-pole={}: vertices are counted from 1 to {}", number, num_file_vertices));
   }
   const auto& in_file = surface.soup_vertex;
   const auto found = std::lower_bound(in_file.begin(), in_file.end(), number - 1);
@@ -91,10 +91,9 @@ Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surf
 Status WriteOutputs(const CirclePatternsJob& job, const SphereJob& sphere, const PolygonSoup& soup,
                     const Surface& surface, const SphereMap& map, std::ostream& report) {
   report << Summary(map.certificate);
-  const Status written =
-      Extension(job.output) == ".ply"
-          ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
-          : WriteMesh(job.output, SphereMesh(soup, surface, map));
+  const Status written = Extension(job.output) == ".ply"
+                             ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
+                             : WriteMesh(job.output, SphereMesh(soup, surface, map));
   if (!written.ok()) return written;
   report << "wrote       " << job.output << "\n";
   return WriteLatLong(sphere.latlong, soup, surface, map, report);

@@ -50,8 +50,8 @@ LatLong LatLongUv(const Triangulation& t, const std::vector<Vector3d>& position)
   LatLong result;
   result.uv.value.resize(t.num_halfedges());
   for (Index h = 0; h < t.num_halfedges(); h += 3) {
-    const std::array<Vector3d, 3> corner = {
-        position[t.vertex[h]], position[t.vertex[h + 1]], position[t.vertex[h + 2]]};
+    const std::array<Vector3d, 3> corner = {position[t.vertex[h]], position[t.vertex[h + 1]],
+                                            position[t.vertex[h + 2]]};
     std::array<double, 3> u;
     if (!Unroll(corner, &u)) result.at_poles.push_back(Triangulation::Face(h));
     for (int k = 0; k < 3; ++k) {

@@ -10,10 +10,10 @@ namespace cirque {
 /// A closed surface without the open star of one vertex. Vertices and faces keep their order.
 struct PuncturedSurface {
   Triangulation triangulation;
-  std::vector<Index> vertex;   ///< per vertex: its number in the closed surface
-  std::vector<Index> face;     ///< per face likewise; halfedge 3 f + k there is 3 face[f] + k here
-  std::vector<Index> link;     ///< the vertices next to the pole, around it, in the closed surface
-  Index pole = kNone;          ///< the vertex removed
+  std::vector<Index> vertex;  ///< per vertex: its number in the closed surface
+  std::vector<Index> face;    ///< per face likewise; halfedge 3 f + k there is 3 face[f] + k here
+  std::vector<Index> link;    ///< the vertices next to the pole, around it, in the closed surface
+  Index pole = kNone;         ///< the vertex removed
 };
 
 /// The corners at a vertex of a closed surface in counter-clockwise order.

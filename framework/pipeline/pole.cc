@@ -90,9 +90,8 @@ EdgeLengths InvertedLengths(const Surface& surface, const Triangulation& closed,
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
     const Index in_closed = closed.edge[3 * punctured.face[Triangulation::Face(h)] + h % 3];
-    inverted.value[e] =
-        lengths.value[in_closed] / (distance[punctured.vertex[t.Tail(h)]] *
-                                    distance[punctured.vertex[t.Tip(h)]]);
+    inverted.value[e] = lengths.value[in_closed] / (distance[punctured.vertex[t.Tail(h)]] *
+                                                    distance[punctured.vertex[t.Tip(h)]]);
   }
   return inverted;
 }

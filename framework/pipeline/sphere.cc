@@ -36,8 +36,8 @@ Status CheckSurface(const Surface& surface, const SphereOptions& options) {
         "a map to the sphere needs a surface of genus 0, but this has genus {}", genus));
   }
   if (options.pole != kNone && (options.pole < 0 || options.pole >= t.num_vertices)) {
-    return Status::InvalidInput(fmt::format("the pole {} is no vertex: there are {}", options.pole,
-                                            t.num_vertices));
+    return Status::InvalidInput(
+        fmt::format("the pole {} is no vertex: there are {}", options.pole, t.num_vertices));
   }
   const std::vector<std::string>& names = SphereNormalizations();
   if (std::find(names.begin(), names.end(), options.normalization) != names.end()) return Status();
@@ -116,7 +116,8 @@ class SphereMapping {
     if (flips_) delaunay = Timed("triangulation", &map_.certificate, [&] { return Delaunay({}); });
     std::vector<Index> poles = {options_.pole};
     if (options_.pole == kNone) {
-      poles = Timed("pole", &map_.certificate, [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
+      poles = Timed("pole", &map_.certificate,
+                    [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
     }
     Status status = Status::InvalidInput("no vertex is the centre of a disk of triangles");
     for (std::size_t i = 0; i < poles.size(); ++i) {
@@ -124,7 +125,7 @@ class SphereMapping {
       status = TryPole(poles[i], delaunay);
       const bool may_do_better = status.code() == StatusCode::kNotConverged ||
                                  status.code() == StatusCode::kUnrepresentable;
-      if (!may_do_better) break;
+      if (!may_do_better || !normalized_) break;
     }
     if (!status.ok()) map_.position.clear();
     return status;
@@ -143,7 +144,7 @@ class SphereMapping {
     if (flips_) {
       const Status status = TryLockingFlipped(delaunay);
       if (status.ok() && flipped_.empty()) return status;
-      if (status.code() == StatusCode::kCancelled) return status;
+      if (status.code() == StatusCode::kCancelled || !normalized_) return status;
     }
     const Status status = TryOn({t_, lengths_, {}, {}});
     if (!status.ok() || flipped_.empty()) return status;
@@ -158,7 +159,8 @@ class SphereMapping {
       for (const Index f : flipped_) {
         for (Index h = 3 * f; h < 3 * f + 3; ++h) locked[t_.edge[h]] = true;
       }
-      const auto again = Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); });
+      const auto again =
+          Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); });
       status = TryOn(again);
       Put("delaunay_rounds", round + 1);
     }
@@ -217,13 +219,13 @@ class SphereMapping {
 
   Status Normalize(const PlaneWithPole& plane) {
     const auto normalized = NormalizeChart(surface_, plane, options_.normalization);
-    if (!normalized.ok()) return normalized.status();
+    normalized_ = normalized.ok();
+    if (!normalized_) return normalized.status();
     Put("normalization_iterations", normalized->iterations);
     Put("normalization_residual", normalized->residual);
     map_.position = LiftAll(plane, normalized->chart);
     if (options_.principal_axes) {
-      const Eigen::Matrix3d axes =
-          PrincipalAxes(map_.position, VertexAreas(t_, surface_.position));
+      const Eigen::Matrix3d axes = PrincipalAxes(map_.position, VertexAreas(t_, surface_.position));
       for (Eigen::Vector3d& x : map_.position) x = (axes * x).normalized();
     }
     Eigen::Vector3d mass = Eigen::Vector3d::Zero();
@@ -235,12 +237,13 @@ class SphereMapping {
   }
 
   Status Unrepresentable() const {
-    return Status(StatusCode::kUnrepresentable,
-                  fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
-                              "radii range over {:.1f} and {} faces collapse, faces {} (0-based) "
-                              "among them; name another --pole or normalization",
-                              map_.certificate.values.at("log_radius_range"), flipped_.size(),
-                              IdList(flipped_, 5)));
+    return Status(
+        StatusCode::kUnrepresentable,
+        fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
+                    "radii range over {:.1f} and {} faces collapse, faces {} (0-based) "
+                    "among them; name another --pole or normalization",
+                    map_.certificate.values.at("log_radius_range"), flipped_.size(),
+                    IdList(flipped_, 5)));
   }
 
   const Surface& surface_;
@@ -252,6 +255,7 @@ class SphereMapping {
   const SolveControl& control_;
   SphereMap& map_;
   std::vector<Index> flipped_;  ///< of the input's faces on the sphere
+  bool normalized_ = true;      ///< false: no other pole or triangulation would help
 };
 
 void Measure(const Surface& surface, SphereMap* map) {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
@@ -22,9 +23,9 @@ using Eigen::Vector3d;
 
 /// A first run from the balanced chart, others to remove the rounding of its product of boosts.
 constexpr int kMaxRounds = 5;
-constexpr double kCentred = 1e-14;     ///< further rounds would not help
-constexpr double kTolerance = 1e-12;   ///< of the centre of mass
-constexpr int kMaxReweightings = 500;  ///< of the image's own areas
+constexpr double kCentred = 1e-14;    ///< further rounds would not help
+constexpr double kTolerance = 1e-12;  ///< of the centre of mass
+constexpr int kMaxImageSteps = 50;
 
 struct Problem {
   const Surface& surface;
@@ -41,6 +42,14 @@ SphereChart Apply(const SphereChart& chart, const std::vector<LorentzBoost>& boo
   std::vector<Vector3d> centres;
   for (const LorentzBoost& boost : boosts) centres.push_back(boost.centre());
   return chart.Recentred(CentreOfBoosts(centres));
+}
+
+Status CheckCentred(const NormalizedChart& result) {
+  if (result.residual <= kTolerance) return Status();
+  return Status(StatusCode::kNotConverged,
+                fmt::format("the centre of mass stays {:.1e} off the centre; another normalization "
+                            "may do",
+                            result.residual));
 }
 
 /// Moves the chart until the weighted centre of mass is 0, as far as rounding lets it.
@@ -62,32 +71,61 @@ Status Centre(const Problem& problem, NormalizedChart* result) {
     result->chart = moved;
     result->residual = mass.norm();
   }
-  if (result->residual <= kTolerance) return Status();
-  return Status(StatusCode::kNotConverged,
-                fmt::format("the centre of mass stays {:.1e} off the centre", result->residual));
+  return CheckCentred(*result);
 }
 
-Status CentreByImageArea(const Problem& problem, NormalizedChart* result) {
-  const Triangulation& t = problem.surface.triangulation;
-  for (int i = 0; i < kMaxReweightings; ++i) {
-    const std::vector<Vector3d> points = LiftAll(problem.plane, result->chart);
-    result->weights = VertexAreas(t, points);
-    result->residual = CentreOfMass(points, result->weights).norm();
-    if (result->residual <= kTolerance) return Status();
-    if (Status s = Centre(problem, result); !s.ok()) return s;
+/// The centre of mass of the vertices on the sphere, weighted by their areas there.
+Vector3d ImageCentre(const Problem& problem, const SphereChart& chart) {
+  const std::vector<Vector3d> points = LiftAll(problem.plane, chart);
+  return CentreOfMass(points, VertexAreas(problem.surface.triangulation, points));
+}
+
+/// How the centre of mass changes with the point of the ball that is carried to the centre.
+Matrix3d ImageCentreSlope(const Problem& problem, const SphereChart& chart) {
+  constexpr double kDifference = 1e-4;
+  Matrix3d slope;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d y = kDifference * Vector3d::Unit(k);
+    slope.col(k) =
+        (ImageCentre(problem, chart.Recentred(y)) - ImageCentre(problem, chart.Recentred(-y))) /
+        (2 * kDifference);
   }
-  return Status(
-      StatusCode::kNotConverged,
-      fmt::format("the centre of mass by the image's own areas, which move with it, is {:.1e} off "
-                  "the centre after {} steps; normalise by surface_area",
-                  result->residual, kMaxReweightings));
+  return slope;
 }
 
+/// The areas cover the sphere whatever the chart, so that their centre of mass is near 0 anyway and
+/// moves little: taking the weights as constant would need thousands of rounds. Newton's method for
+/// the three equations, with differences.
+Status CentreByImageArea(const Problem& problem, NormalizedChart* result) {
+  constexpr double kLongest = 0.5, kShortest = 1e-6, kDecrease = 0.1;
+  Vector3d mass = ImageCentre(problem, result->chart);
+  bool smaller = true;
+  while (smaller && mass.norm() > kCentred && result->iterations < kMaxImageSteps) {
+    Vector3d step = -ImageCentreSlope(problem, result->chart).fullPivLu().solve(mass);
+    step *= std::min(1.0, kLongest / step.norm());
+    smaller = false;
+    for (double length = 1; !smaller && length > kShortest; length /= 2) {
+      const SphereChart moved = result->chart.Recentred(length * step);
+      const Vector3d next = ImageCentre(problem, moved);
+      smaller = next.norm() < (1 - kDecrease * length) * mass.norm();
+      if (!smaller) continue;
+      result->chart = moved;
+      mass = next;
+    }
+    ++result->iterations;
+  }
+  result->weights =
+      VertexAreas(problem.surface.triangulation, LiftAll(problem.plane, result->chart));
+  result->residual = mass.norm();
+  return CheckCentred(*result);
+}
+
+/// The surface's edges, in the unit that gives it the area of the sphere, each weighted by the area
+/// of its two triangles.
 ScaledEdges EdgesOf(const Surface& surface) {
   const Triangulation& t = surface.triangulation;
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  EdgeLengths lengths = MeasureEdgeLengths(surface);
   ScaledEdges edges;
-  edges.length.assign(lengths.value.begin(), lengths.value.end());
   edges.weight.assign(t.num_edges(), 0);
   for (Index e = 0; e < t.num_edges(); ++e) {
     edges.ends.emplace_back(t.Tail(t.edge_halfedge[e]), t.Tip(t.edge_halfedge[e]));
@@ -97,6 +135,10 @@ ScaledEdges EdgesOf(const Surface& surface) {
                    &c = surface.position[t.Tip(h)];
     edges.weight[t.edge[h]] += (b - a).cross(c - a).norm();
   }
+  // The sum has twice the area of every triangle, three times.
+  const double area = std::accumulate(edges.weight.begin(), edges.weight.end(), 0.0) / 6;
+  lengths.value *= std::sqrt(4 * kPi / area);
+  edges.length.assign(lengths.value.begin(), lengths.value.end());
   return edges;
 }
 
@@ -106,8 +148,8 @@ Status MinimizeAreaDistortion(const Problem& problem, NormalizedChart* result) {
   limits.gradient_tolerance = 1e-11;
   const ScaledEdges edges = EdgesOf(problem.surface);
   for (int round = 0; round < 2; ++round) {
-    const LogScaleNormalization step = MinimizeLogScaleVariance(
-        LiftAll(problem.plane, result->chart), edges, limits);
+    const LogScaleNormalization step =
+        MinimizeLogScale(LiftAll(problem.plane, result->chart), edges, limits);
     result->iterations += step.iterations;
     result->residual = step.gradient;
     result->chart = Apply(result->chart, step.boosts);
@@ -177,8 +219,7 @@ StatusOr<NormalizedChart> NormalizeChart(const Surface& surface, const PlaneWith
     if (Status s = normalize({surface, plane}, &result); !s.ok()) return s;
     return result;
   }
-  return Status::InvalidInput(
-      UnknownName("normalization", normalization, SphereNormalizations()));
+  return Status::InvalidInput(UnknownName("normalization", normalization, SphereNormalizations()));
 }
 
 Matrix3d PrincipalAxes(const std::vector<Vector3d>& points, const std::vector<double>& weights) {

@@ -14,7 +14,8 @@ namespace cirque {
 ///   uniform                centre of mass of the vertices at 0
 ///   surface_area           the same, vertices weighted by a third of their triangles' area
 ///   image_area             the same with the area of the triangles on the sphere
-///   least_area_distortion  least variance of the log scale (solver/log_scale_normalization.h)
+///   least_area_distortion  least mean square of the log area ratio
+///   (solver/log_scale_normalization.h)
 const std::vector<std::string>& SphereNormalizations();
 
 /// The vertices of a surface in the plane, one of them at infinity.
@@ -35,7 +36,7 @@ struct NormalizedChart {
   SphereChart chart;
   std::vector<double> weights;  ///< per vertex, total 1: those whose centre of mass is reported
   int iterations = 0;           ///< Newton steps
-  double residual = 0;          ///< centre of mass, or gradient of the log scale's variance
+  double residual = 0;          ///< centre of mass, or gradient of the area distortion
 };
 
 /// The chart of that normalisation. Errors: unknown name; kNotConverged when the condition is met

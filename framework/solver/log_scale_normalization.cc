@@ -24,36 +24,32 @@ struct Jet {
   Matrix3d gauss_newton = Matrix3d::Zero(), hessian = Matrix3d::Zero();
 };
 
-class Variance {
+class MeanSquare {
  public:
-  explicit Variance(const ScaledEdges& edges)
+  explicit MeanSquare(const ScaledEdges& edges)
       : edges_(edges), total_(std::accumulate(edges.weight.begin(), edges.weight.end(), 0.0)) {}
 
   double Value(const std::vector<Vector3d>& points) const {
-    const std::vector<double> scale = LogScales(points);
-    const double mean = Mean(scale);
     double sum = 0;
-    for (std::size_t e = 0; e < scale.size(); ++e) {
-      sum += edges_.weight[e] * (scale[e] - mean) * (scale[e] - mean);
+    for (std::size_t e = 0; e < edges_.ends.size(); ++e) {
+      const double scale = LogScale(points, e);
+      sum += Share(e) * scale * scale;
     }
-    return sum / total_;
+    return sum;
   }
 
   Jet Derivatives(const std::vector<Vector3d>& points) const {
-    const std::vector<double> scale = LogScales(points);
-    const double mean = Mean(scale);
-    Vector3d centre = Vector3d::Zero();
-    for (std::size_t e = 0; e < scale.size(); ++e) centre += Share(e) * Middle(points, e);
     Jet jet;
-    for (std::size_t e = 0; e < scale.size(); ++e) {
+    for (std::size_t e = 0; e < edges_.ends.size(); ++e) {
       const auto& [i, j] = edges_.ends[e];
-      const double weight = 2 * Share(e), excess = scale[e] - mean;
-      const Vector3d middle = Middle(points, e), arm = middle - centre;
-      jet.value += Share(e) * excess * excess;
-      jet.gradient += weight * excess * middle;
-      jet.gauss_newton += weight * arm * arm.transpose();
-      jet.hessian += 0.5 * weight * excess *
-                     (points[i] * points[i].transpose() + points[j] * points[j].transpose());
+      const double share = Share(e), scale = LogScale(points, e);
+      const Vector3d middle = 0.5 * (points[i] + points[j]);
+      jet.value += share * scale * scale;
+      jet.gradient += 2 * share * scale * middle;
+      jet.gauss_newton += 2 * share * middle * middle.transpose();
+      jet.hessian += share * scale *
+                     (points[i] * points[i].transpose() + points[j] * points[j].transpose() -
+                      2 * Matrix3d::Identity());
     }
     jet.hessian += jet.gauss_newton;
     return jet;
@@ -62,25 +58,12 @@ class Variance {
  private:
   double Share(std::size_t e) const { return edges_.weight[e] / total_; }
 
-  Vector3d Middle(const std::vector<Vector3d>& points, std::size_t e) const {
-    return 0.5 * (points[edges_.ends[e].first] + points[edges_.ends[e].second]);
-  }
-
-  std::vector<double> LogScales(const std::vector<Vector3d>& points) const {
-    std::vector<double> scale;
-    scale.reserve(edges_.ends.size());
-    for (std::size_t e = 0; e < edges_.ends.size(); ++e) {
-      const auto& [i, j] = edges_.ends[e];
-      // Points that doubles cannot tell apart count as one rounding error apart.
-      const double chord =
-          std::max((points[i] - points[j]).norm(), std::numeric_limits<double>::epsilon());
-      scale.push_back(std::log(chord / edges_.length[e]));
-    }
-    return scale;
-  }
-
-  double Mean(const std::vector<double>& scale) const {
-    return std::inner_product(scale.begin(), scale.end(), edges_.weight.begin(), 0.0) / total_;
+  double LogScale(const std::vector<Vector3d>& points, std::size_t e) const {
+    const auto& [i, j] = edges_.ends[e];
+    // Points that doubles cannot tell apart count as one rounding error apart.
+    const double chord =
+        std::max((points[i] - points[j]).norm(), std::numeric_limits<double>::epsilon());
+    return std::log(chord / edges_.length[e]);
   }
 
   const ScaledEdges& edges_;
@@ -89,8 +72,9 @@ class Variance {
 
 Vector3d NewtonStep(const Jet& jet) {
   const Eigen::LLT<Matrix3d> newton(jet.hessian);
-  Vector3d step = newton.info() == Eigen::Success ? Vector3d(-newton.solve(jet.gradient))
-                                                  : Vector3d(-jet.gauss_newton.ldlt().solve(jet.gradient));
+  Vector3d step = newton.info() == Eigen::Success
+                      ? Vector3d(-newton.solve(jet.gradient))
+                      : Vector3d(-jet.gauss_newton.ldlt().solve(jet.gradient));
   const bool descends = step.allFinite() && step.dot(jet.gradient) < 0;
   if (!descends) step = -jet.gradient;
   return step.norm() > kLongestStep ? Vector3d(kLongestStep * step.normalized()) : step;
@@ -105,14 +89,13 @@ std::vector<Vector3d> Boosted(const std::vector<Vector3d>& points, const Lorentz
 
 }  // namespace
 
-LogScaleNormalization MinimizeLogScaleVariance(std::vector<Vector3d> points,
-                                               const ScaledEdges& edges,
-                                               const SolverLimits& limits) {
-  const Variance variance(edges);
+LogScaleNormalization MinimizeLogScale(std::vector<Vector3d> points, const ScaledEdges& edges,
+                                       const SolverLimits& limits) {
+  const MeanSquare energy(edges);
   LogScaleNormalization result;
   while (true) {
-    const Jet jet = variance.Derivatives(points);
-    result.variance = jet.value;
+    const Jet jet = energy.Derivatives(points);
+    result.value = jet.value;
     result.gradient = jet.gradient.cwiseAbs().maxCoeff();
     result.converged = result.gradient <= limits.gradient_tolerance;
     if (result.converged || result.iterations == limits.max_iterations) return result;
@@ -123,7 +106,7 @@ LogScaleNormalization MinimizeLogScaleVariance(std::vector<Vector3d> points,
       const LorentzBoost boost(length * step);
       std::vector<Vector3d> moved = Boosted(points, boost);
       const double limit = jet.value + kArmijo * length * slope + kRounding * jet.value;
-      if (!(variance.Value(moved) <= limit)) continue;
+      if (!(energy.Value(moved) <= limit)) continue;
       points = std::move(moved);
       result.boosts.push_back(boost);
       break;
