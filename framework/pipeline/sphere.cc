@@ -154,6 +154,7 @@ class SphereMapping {
   /// The lazily constrained loop; ends with whatever its last round came to.
   Status TryLockingFlipped(const IntrinsicTriangulation& delaunay) {
     std::vector<bool> locked(t_.num_edges(), false);
+    Put("delaunay_rounds", 1);
     Status status = TryOn(delaunay);
     for (int round = 1; round < kMaxRounds && status.ok() && !flipped_.empty(); ++round) {
       for (const Index f : flipped_) {
