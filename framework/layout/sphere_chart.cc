@@ -1,6 +1,7 @@
 #include "cirque/layout/sphere_chart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace cirque {
@@ -34,7 +35,7 @@ Vector3d Translate(const Vector3d& y, const Vector3d& q) {
 
 Vector3d SphereChart::Lift(const Vector2d& z) const {
   const Vector2d w = (z - centre) / scale;
-  const double size = w.norm();
+  const double size = std::hypot(w.x(), w.y());
   Vector3d point;
   if (size <= 1) {
     point << 2 * w, (1 - size) * (1 + size);

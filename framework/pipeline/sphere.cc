@@ -1,6 +1,7 @@
 #include "cirque/pipeline/sphere.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,10 +10,10 @@
 #include "cirque/core/timer.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
-#include "cirque/metrics/distortion.h"
 #include "cirque/metrics/spherical.h"
 #include "cirque/pipeline/flatten.h"
 #include "cirque/pipeline/pole.h"
+#include "cirque/pipeline/sphere_certificate.h"
 #include "cirque/pipeline/sphere_normalization.h"
 
 namespace cirque {
@@ -21,6 +22,18 @@ namespace {
 constexpr int kMaxRounds = 6;  ///< of locking and solving again
 constexpr Index kMaxPoles = 4;
 constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles goes with epsilon
+
+Status CheckNames(const SphereOptions& options, const ParameterizeOptions& in_plane) {
+  const std::tuple<const char*, std::string, std::vector<std::string>> choices[] = {
+      {"normalization", options.normalization, SphereNormalizations()},
+      {"triangulation", in_plane.triangulation, {"delaunay", "input"}},
+      {"layout", in_plane.layout, {"directions", "least_squares"}}};
+  for (const auto& [kind, name, known] : choices) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Status::InvalidInput(UnknownName(kind, name, known));
+  }
+  return Status();
+}
 
 Status CheckSurface(const Surface& surface, const SphereOptions& options) {
   const Triangulation& t = surface.triangulation;
@@ -39,9 +52,7 @@ Status CheckSurface(const Surface& surface, const SphereOptions& options) {
     return Status::InvalidInput(
         fmt::format("the pole {} is no vertex: there are {}", options.pole, t.num_vertices));
   }
-  const std::vector<std::string>& names = SphereNormalizations();
-  if (std::find(names.begin(), names.end(), options.normalization) != names.end()) return Status();
-  return Status::InvalidInput(UnknownName("normalization", options.normalization, names));
+  return Status();
 }
 
 /// Interior vertices flat; the link free but convex by a margin.
@@ -54,35 +65,11 @@ ConeTargets ConvexLinkTargets(const Triangulation& t, double margin) {
   return targets;
 }
 
-/// The smallest intersection angle of circumcircles on the sphere: across edges of the plane, on
-/// the link between a circle and a line, at the pole between two lines.
-double DelaunayMargin(const Triangulation& t, const Eigen::VectorXd& angle) {
-  double margin = kPi;
-  std::vector<double> sum(t.num_vertices, 0);
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    sum[t.vertex[h]] += angle[h];
-    margin = std::min(margin, kPi - angle[h] - (t.twin[h] == kNone ? 0 : angle[t.twin[h]]));
-  }
-  const std::vector<bool> link = BoundaryVertices(t);
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    if (link[v]) margin = std::min(margin, kPi - sum[v]);
-  }
-  return margin;
-}
-
-/// The proof for the punctured surface in the numbers of the input file.
-void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
-                    InfeasibilityProof* proof) {
-  std::vector<double> of_face(surface.triangulation.num_faces(), 0);
-  for (std::size_t f = 0; f < punctured.face.size(); ++f) {
-    of_face[punctured.face[f]] = proof->face_multiplier[f];
-  }
-  proof->face_multiplier = std::move(of_face);
-  for (Index& f : proof->carrying_faces) f = punctured.face[f];
-  for (auto* vertices : {&proof->constrained_vertex, &proof->carrying_vertices}) {
-    for (Index& v : *vertices) v = surface.soup_vertex[punctured.vertex[v]];
-  }
-  proof->removed_vertex = surface.soup_vertex[punctured.pole];
+StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& disk,
+                                const FlatOnInput& flat) {
+  const Cut no_cut = {std::vector<bool>(disk.num_edges(), false)};
+  if (method == "directions") return LayOutPatches(disk, flat.angles, flat.lengths, no_cut);
+  return LayOutByLeastSquares(disk, flat.angles, flat.lengths, no_cut);
 }
 
 /// What `step` returns, its time added to the stage's.
@@ -179,10 +166,11 @@ class SphereMapping {
     Put("pole_corners", static_cast<double>(punctured->link.size()));
     if (!status.ok()) {
       InfeasibilityProof& proof = map_.certificate.infeasibility;
-      if (!proof.empty()) NumberAsInFile(surface_, *punctured, &proof);
+      if (!proof.empty()) NumberProofAsInFile(surface_, *punctured, &proof);
       return status;
     }
-    Put("delaunay_margin", DelaunayMargin(punctured->triangulation, flat.on_input.angles.value));
+    Put("delaunay_margin",
+        SphericalDelaunayMargin(punctured->triangulation, flat.on_input.angles.value));
     return Timed("layout", &map_.certificate, [&] { return LayOut(*punctured, flat.on_input); });
   }
 
@@ -201,13 +189,9 @@ class SphereMapping {
 
   Status LayOut(const PuncturedSurface& punctured, const FlatOnInput& flat) {
     const Triangulation& t = punctured.triangulation;
-    const Cut no_cut = {std::vector<bool>(t.num_edges(), false)};
-    PlanarLayout layout = LayOutPatches(t, flat.angles, flat.lengths, no_cut);
-    if (in_plane_.layout == "least_squares") {
-      auto by_least_squares = LayOutByLeastSquares(t, flat.angles, flat.lengths, no_cut);
-      if (!by_least_squares.ok()) return by_least_squares.status();
-      layout = *std::move(by_least_squares);
-    }
+    const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
+    if (!laid_out.ok()) return laid_out.status();
+    const PlanarLayout& layout = *laid_out;
     Put("layout_closure", layout.closure);
     PlaneWithPole plane;
     plane.pole = punctured.pole;
@@ -259,30 +243,6 @@ class SphereMapping {
   bool normalized_ = true;      ///< false: no other pole or triangulation would help
 };
 
-void Measure(const Surface& surface, SphereMap* map) {
-  const Triangulation& t = surface.triangulation;
-  const EdgeLengths source = MeasureEdgeLengths(surface), image = ChordLengths(t, map->position);
-  const FaceDistortion faces = MeasureDistortion(t, source, FacesInPlane(t, image));
-  const DistortionSummary d = Summarize(faces);
-  const Eigen::VectorXd differences = AngleDifferences(t, source, image);
-  map->quasi_conformal = faces.quasi_conformal;
-  map->angle_distortion.resize(t.num_faces());
-  for (Index f = 0; f < t.num_faces(); ++f) {
-    map->angle_distortion[f] = differences.segment<3>(3 * f).maxCoeff();
-  }
-  Certificate& certificate = map->certificate;
-  certificate.values.merge(
-      std::map<std::string, double>{{"quasi_conformal_mean", d.quasi_conformal_mean},
-                                    {"quasi_conformal_max", d.quasi_conformal_max},
-                                    {"log_area_ratio_l2", d.log_area_ratio_l2},
-                                    {"log_area_ratio_min", d.log_area_ratio_min},
-                                    {"log_area_ratio_max", d.log_area_ratio_max},
-                                    {"angle_distortion_mean", differences.mean()},
-                                    {"angle_distortion_max", differences.maxCoeff()},
-                                    {"degree", SphericalDegree(t, map->position)}});
-  certificate.overlap = "injective";  // no flips, and the degree of a sphere's layout is 1
-}
-
 }  // namespace
 
 Status MapToSphere(const Surface& surface, const SphereOptions& options,
@@ -290,13 +250,14 @@ Status MapToSphere(const Surface& surface, const SphereOptions& options,
                    SphereMap* map) {
   *map = SphereMap();
   const Timer timer;
-  Status status = CheckSurface(surface, options);
+  Status status = CheckNames(options, parameterize_options);
+  if (status.ok()) status = CheckSurface(surface, options);
   if (status.ok()) {
     status = SphereMapping(surface, options, parameterize_options, control, map).Run();
   }
   if (status.ok()) {
     const Timer measure_timer;
-    Measure(surface, map);
+    MeasureSphereMap(surface, map);
     map->certificate.seconds["measures"] = measure_timer.Seconds();
   }
   map->certificate.seconds["total"] = timer.Seconds();
