@@ -1,5 +1,6 @@
 #include "cirque/layout/latlong.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,36 +13,35 @@ bool IsAtPole(const Vector3d& x) { return x.x() == 0 && x.y() == 0; }
 
 double Latitude(const Vector3d& x) { return std::atan2(x.z(), std::hypot(x.x(), x.y())); }
 
-/// The difference of two longitudes in turns, in [-1/2, 1/2].
-double ShortWay(double from, double to) { return std::remainder(to - from, 1.0); }
+/// The whole number that brings `turns` within 1/2 of `near`.
+double WholeTurns(double turns, double near) { return std::nearbyint(near - turns); }
 
-/// The u of three corners, each reached from the one before by the short way. Returns false when
-/// they do not come back: the triangle goes around a pole.
+/// The u of three corners, each reached from the one before by the short way: the fraction of its
+/// vertex, the same in all triangles, and a whole number. Returns false when they do not come back:
+/// the triangle goes around a pole.
 bool Unroll(const std::array<Vector3d, 3>& corner, std::array<double, 3>* u) {
-  int first = 0;
-  while (first < 2 && IsAtPole(corner[first])) ++first;
-  std::array<double, 3> turns;
+  std::array<double, 3> turns, whole = {};
+  std::vector<int> proper;
   for (int k = 0; k < 3; ++k) {
     turns[k] = std::atan2(corner[k].y(), corner[k].x()) / (2 * kPi) + 0.5;
+    if (!IsAtPole(corner[k])) proper.push_back(k);
   }
-  (*u)[first] = turns[first];
-  int last = first;
-  double sum = turns[first];
-  int count = 1;
-  for (const int step : {1, 2}) {
-    const int k = (first + step) % 3;
-    if (IsAtPole(corner[k])) continue;
-    (*u)[k] = (*u)[last] + ShortWay(turns[last], turns[k]);
-    last = k;
-    sum += (*u)[k];
-    ++count;
+  double least = 1;
+  for (std::size_t i = 0; i < proper.size(); ++i) {
+    const int k = proper[i], before = proper[i == 0 ? 0 : i - 1];
+    whole[k] = WholeTurns(turns[k], turns[before] + whole[before]);
+    least = std::min(least, turns[k] + whole[k]);
+  }
+  double mean = 0;
+  for (const int k : proper) {
+    (*u)[k] = turns[k] + (whole[k] - std::floor(least));
+    mean += (*u)[k] / static_cast<double>(proper.size());
   }
   for (int k = 0; k < 3; ++k) {
-    if (IsAtPole(corner[k])) (*u)[k] = sum / count;
+    if (IsAtPole(corner[k])) (*u)[k] = mean;
   }
-  if (count < 3) return true;
-  const double back = (*u)[last] + ShortWay(turns[last], turns[first]);
-  return std::abs(back - (*u)[first]) < 0.5;
+  if (proper.size() < 3) return true;
+  return WholeTurns(turns[0], turns[2] + whole[2]) == whole[0];
 }
 
 }  // namespace

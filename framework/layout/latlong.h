@@ -16,10 +16,11 @@ struct LatLong {
                                 ///< triangle is their image, their third side spans the seam
 };
 
-/// u = longitude / 2 pi + 1/2, v = latitude / pi + 1/2, per corner: a triangle across the date line
-/// has its corners in the west moved by 1, so that every triangle's u lie within 1/2 of each other
-/// and beyond [0, 1] rather than smeared across it; a corner at a pole of the sphere, where
-/// longitude has no meaning, gets the mean u of its triangle's others.
+/// u = longitude / 2 pi + 1/2, v = latitude / pi + 1/2, per corner. The u of a triangle lie within
+/// 1/2 of each other, the least of them in [0, 1): triangles across the date line are all at its
+/// eastern end and reach beyond 1, so that the texture opens along one path of edges and none is
+/// smeared over it. A corner at a pole of the sphere, where longitude has no meaning, gets the mean
+/// u of its triangle's others.
 LatLong LatLongUv(const Triangulation& triangulation, const std::vector<Eigen::Vector3d>& position);
 
 }  // namespace cirque

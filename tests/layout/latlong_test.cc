@@ -47,6 +47,28 @@ TEST(LatLongTest, NoTriangleIsSmearedAcrossTheSeam) {
   EXPECT_NEAR(area, 1, 0.06);
 }
 
+TEST(LatLongTest, TheTextureOpensAlongTheDateLineAlone) {
+  const Surface sphere = GeneratedSurface("sphere", 2000);
+  const Triangulation& t = sphere.triangulation;
+  const LatLong latlong = LatLongUv(t, sphere.position);
+  int opened = 0;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const auto& uv = latlong.uv.value;
+    const Index g = t.twin[h];
+    const Vector2d at_tail = uv[Triangulation::Next(h)] - uv[Triangulation::Prev(g)];
+    const Vector2d at_tip = uv[Triangulation::Prev(h)] - uv[Triangulation::Next(g)];
+    if (std::max(sphere.position[t.Tail(h)].z(), sphere.position[t.Tip(h)].z()) > 0.99) continue;
+    if (std::min(sphere.position[t.Tail(h)].z(), sphere.position[t.Tip(h)].z()) < -0.99) continue;
+    const bool is_open = at_tail != Vector2d(0, 0);
+    opened += is_open;
+    EXPECT_LT((at_tail - at_tip).norm(), 1e-15);
+    EXPECT_NEAR(std::abs(at_tail.x()), is_open ? 1 : 0, 1e-15);
+  }
+  // About one edge for every triangle's height from pole to pole, both of its halfedges.
+  EXPECT_GT(opened, 40);
+  EXPECT_LT(opened, 160);
+}
+
 TEST(LatLongTest, ACornerAtAPoleTakesTheMeanLongitude) {
   const Surface octahedron = RegularPolyhedron(8);
   const LatLong latlong = LatLongUv(octahedron.triangulation, octahedron.position);
