@@ -2,14 +2,17 @@
 #include <fstream>
 #include <iostream>
 
+#include <fmt/format.h>
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/sphere.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
 #include "experiments/common/interrupt.h"
@@ -43,6 +46,13 @@ DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the l
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
+DEFINE_string(domain, "plane", "plane, or sphere (closed surfaces of genus 0)");
+DEFINE_int32(pole, 0,
+             "sphere: the vertex taken out for the solve, counted from 1 as in -iv; 0: chosen");
+DEFINE_string(normalization, cirque::SphereOptions().normalization,
+              "sphere: none, uniform, surface_area, image_area or least_area_distortion");
+DEFINE_bool(principal_axes, false, "sphere: turned to the principal axes of the surface's area");
+DEFINE_string(latlong, "", "sphere: output .obj with latitude and longitude as texture");
 DECLARE_bool(help);
 
 namespace cirque {
@@ -50,15 +60,29 @@ namespace {
 
 constexpr char kSource[] = "experiments/circle_patterns/";
 constexpr char kUsage[] =
-    "Flattens a triangle mesh conformally by a circle pattern.\n"
+    "Maps a triangle mesh conformally by a circle pattern.\n"
     "  circle_patterns -io IN.obj -oo OUT.obj\n"
     "  circle_patterns -ic IN.con -oo OUT.obj\n"
+    "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
     "  circle_patterns OPTIONS.txt           all options in one text file\n"
     "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
   return ExitStatus(status.code());
+}
+
+/// Options that only maps to the sphere have must not be given in vain.
+Status CheckDomain() {
+  if (FLAGS_domain == "sphere") return Status();
+  if (FLAGS_domain != "plane") {
+    return Status::InvalidInput(UnknownName("domain", FLAGS_domain, {"plane", "sphere"}));
+  }
+  for (const char* flag : {"pole", "normalization", "principal_axes", "latlong"}) {
+    if (gflags::GetCommandLineFlagInfoOrDie(flag).is_default) continue;
+    return Status::InvalidInput(fmt::format("-{} is for -domain=sphere only", flag));
+  }
+  return Status();
 }
 
 Status CheckArguments(const std::vector<std::string>& others) {
@@ -81,7 +105,16 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
     return Status::InvalidInput("-oo OUT is missing; see --help");
   }
-  return Status();
+  return CheckDomain();
+}
+
+Status Run(const CirclePatternsJob& job, const SolveControl& control) {
+  if (FLAGS_domain == "sphere") {
+    return RunSphere(job, {FLAGS_pole, FLAGS_normalization, FLAGS_principal_axes, FLAGS_latlong},
+                     control, std::cout);
+  }
+  return job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
+                               : RunOnMetric(job, control, std::cout);
 }
 
 StatusOr<CirclePatternsJob> JobOfFlags() {
@@ -138,8 +171,7 @@ int Main(int argc, char** argv) {
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};
-  const Status status = job->input_con.empty() ? RunCirclePatterns(*job, control, std::cout)
-                                               : RunOnMetric(*job, control, std::cout);
+  const Status status = Run(*job, control);
   progress.Erase();
   return Conclude(status);
 }

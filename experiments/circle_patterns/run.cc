@@ -135,6 +135,20 @@ std::string CertificatePath(const CirclePatternsJob& job) {
   return std::filesystem::path(output).replace_extension(".certificate.json").string();
 }
 
+Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
+                        Certificate* certificate, const Status& status, std::ostream& report) {
+  certificate->values["peak_memory_mb"] = PeakMemoryInMegabytes();
+  certificate->seconds["process"] = timer.Seconds();
+  const std::string path = CertificatePath(job);
+  if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
+  report << "certificate " << path << "\n";
+  const InfeasibilityProof& proof = certificate->infeasibility;
+  if (!proof.empty()) {
+    if (Status s = WriteCarriers(CarrierStem(job), surface, proof, report); !s.ok()) return s;
+  }
+  return status;
+}
+
 Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
                          std::ostream& report) {
   const Timer timer;
@@ -157,7 +171,6 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   Parameterization map;
   const Status status =
       ParameterizeAsAsked(job, static_cast<Index>(soup->position.size()), solved, control, &map);
-  map.certificate.values["peak_memory_mb"] = PeakMemoryInMegabytes();
   map.certificate.seconds["read"] = read_seconds;
   map.certificate.seconds["preflight"] = preflight_seconds;
   if (status.code() == StatusCode::kInvalidInput) return status;
@@ -175,15 +188,7 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryInMegabytes());
   }
-  map.certificate.seconds["process"] = timer.Seconds();
-  const std::string certificate = CertificatePath(job);
-  if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
-  report << "certificate " << certificate << "\n";
-  const InfeasibilityProof& proof = map.certificate.infeasibility;
-  if (!proof.empty()) {
-    if (Status s = WriteCarriers(CarrierStem(job), solved, proof, report); !s.ok()) return s;
-  }
-  return status;
+  return WriteCertificate(job, solved, timer, &map.certificate, status, report);
 }
 
 }  // namespace cirque

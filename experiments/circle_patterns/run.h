@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
+#include "cirque/core/timer.h"
 #include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/parameterize.h"
 
@@ -37,6 +38,11 @@ std::string CarrierStem(const CirclePatternsJob& job);
 /// Writes the job's CON file: the metric where it was solved or, flipped back, as near to the
 /// input's triangulation as it allows; the edges that stay are told and counted in the certificate.
 Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map);
+
+/// Writes the certificate, with the memory and the time of the process until now, and the carriers
+/// of its proof if it holds one. Returns `status`, or what kept it from writing.
+Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
+                        Certificate* certificate, const Status& status, std::ostream& report);
 
 /// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
 /// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to

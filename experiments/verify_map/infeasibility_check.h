@@ -14,6 +14,8 @@ struct ProofReport {
   std::vector<std::string> errors;  ///< why it is rejected; empty for an accepted one
   Index num_triangles = 0;
   double epsilon_over_pi = 0;
+  Index removed_vertex = kNone;   ///< the vertex without whose triangles the proof is meant, if any
+  double link_upper_over_pi = 1;  ///< the least that its neighbours' angle sums are limited to
   bool evaluated = false;  ///< whether the proof was well-formed, so that what follows was computed
   double left = 0;         ///< sum_f y_f + sum_v y_v (y_v > 0 ? lower : upper), rounded for display
   double right = 0;        ///< sum_e max over Q_e of (A'y)_e . a, likewise
@@ -36,6 +38,13 @@ struct ProofReport {
 /// not zero takes its maximum over Q_e at the rim only; so as soon as (A'y)_e is not zero on some
 /// edge, coherent angles make sum_e (A'y)_e . alpha_e strictly smaller than the right side, and
 /// left >= right is already a contradiction.
+///
+/// With a removed vertex the claim is about `in`, closed, without that vertex and its triangles
+/// (whose multipliers must be 0), where the vertices next to it are limited to `link_upper_over_pi`
+/// or more: no circle pattern on the sphere has the triangles of `in` and these margins, with that
+/// vertex at infinity. (Without margins it would not matter which vertex is removed: such patterns
+/// are ideal hyperbolic polyhedra. I. Rivin, A characterization of ideal polyhedra in hyperbolic
+/// 3-space, 1996.)
 ///
 /// A status is returned when `in` is not an orientable manifold.
 StatusOr<ProofReport> CheckProof(const InfeasibilityProof& proof, const PolygonSoup& in);

@@ -15,6 +15,7 @@
 #include "experiments/common/flag_parsing.h"
 #include "experiments/verify_map/infeasibility_check.h"
 #include "experiments/verify_map/report_text.h"
+#include "experiments/verify_map/sphere_check.h"
 #include "experiments/verify_map/verify.h"
 
 DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
@@ -25,6 +26,7 @@ DEFINE_string(
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");
+DEFINE_string(domain, "plane", "plane: OUT's texture coordinates; sphere: OUT's points");
 DEFINE_string(infeasible, "", "certificate of infeasibility to check against the one mesh given");
 DEFINE_double(position_tolerance, 1e-6,
               "how far a vertex may be off, as a fraction of the bounding box's diagonal");
@@ -33,6 +35,7 @@ DEFINE_double(seam_tolerance, 1e-6,
               "how far the lengths of a seam's two sides may differ, relatively");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
 DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
+DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
 DECLARE_bool(help);
 
 namespace cirque::verify_map {
@@ -42,8 +45,10 @@ constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 
 const char kUsage[] =
-    "Checks a UV map, or a proof that there is none; the verdict shares no code with what made it.\n"
+    "Checks a UV map, or a proof that there is none; the verdict shares no code with what made "
+    "it.\n"
     "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
+    "  verify_map --domain=sphere IN OUT  are OUT's points a valid map of IN to the unit sphere?\n"
     "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
     "angles?\n"
     "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input.";
@@ -85,11 +90,21 @@ Status WriteMeasures(const std::vector<MeasureFile>& files, const PolygonSoup& i
   return WriteMeasureFiles(files, in.position, FanTriangulate(in)->vertex, *report.measures);
 }
 
+int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
+  if (!(FLAGS_radius_tolerance >= 0)) {
+    return Complain(Status::InvalidInput("radius_tolerance: a number >= 0 is needed"));
+  }
+  const StatusOr<SphereReport> report = VerifySphereMap(in, out, {FLAGS_radius_tolerance});
+  if (!report.ok()) return Complain(report.status());
+  return Conclude(*report, report->valid());
+}
+
 int VerifyFiles(const std::vector<std::string>& files) {
   const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
   if (!in.ok()) return Complain(in.status());
   const StatusOr<PolygonSoup> out = ReadMesh(files[1]);
   if (!out.ok()) return Complain(out.status());
+  if (FLAGS_domain == "sphere") return VerifyOnSphere(*in, *out);
   VerifyOptions options;
   options.position_tolerance = FLAGS_position_tolerance;
   options.angle_tolerance = FLAGS_angle_tolerance;
@@ -115,6 +130,9 @@ int Main(int argc, char** argv) {
   if (FLAGS_help) {
     fmt::print("{}\n\n{}", kUsage, FlagHelp(kSource));
     return kValid;
+  }
+  if (FLAGS_domain != "plane" && FLAGS_domain != "sphere") {
+    return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, {"plane", "sphere"})));
   }
   const bool proof = !FLAGS_infeasible.empty();
   if (files->size() != (proof ? 1u : 2u)) {

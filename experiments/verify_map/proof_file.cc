@@ -1,5 +1,7 @@
 #include <fstream>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,6 +65,17 @@ StatusOr<InfeasibilityProof> ParseProof(const std::string& json) {
   const StatusOr<double> epsilon = ReadNumber(*proof_json, "epsilon_over_pi");
   if (!epsilon.ok()) return epsilon.status();
   proof.epsilon_over_pi = *epsilon;
+  if (proof_json->contains("removed_vertex")) {
+    const Json& removed = (*proof_json)["removed_vertex"];
+    if (!removed.is_number_integer()) {
+      return Status::InvalidInput("infeasibility.removed_vertex: an index is needed");
+    }
+    // What is beyond 32 bits, or negative, is no vertex either.
+    const auto wide = removed.get<std::int64_t>();
+    proof.removed_vertex = std::in_range<Index>(wide) && wide >= 0
+                               ? static_cast<Index>(wide)
+                               : std::numeric_limits<Index>::max();
+  }
   const Status statuses[] = {
       ReadArray(*proof_json, "face_multiplier", &proof.face_multiplier),
       ReadArray(*proof_json, "constrained_vertex", &proof.constrained_vertex),

@@ -35,6 +35,12 @@ std::string InequalityLines(const ProofReport& report) {
 
 std::string ProofReport::Verdict() const {
   if (!accepted()) return "REJECTED: " + Join(errors, "; ");
+  if (removed_vertex != kNone) {
+    return fmt::format(
+        "accepted (no coherent angles without vertex {}, margin eps = {:.6g} pi, its neighbours at "
+        "most {:.9g} pi)",
+        removed_vertex, epsilon_over_pi, link_upper_over_pi);
+  }
   if (epsilon_over_pi == 0) return "accepted (no coherent angles)";
   return fmt::format("accepted (no coherent angles with margin eps = {:.6g} pi)", epsilon_over_pi);
 }
@@ -45,6 +51,10 @@ std::string ToText(const ProofReport& report) {
       Line("margin eps",
            fmt::format("{:.6g} pi{}", report.epsilon_over_pi,
                        report.epsilon_over_pi > 0 ? " (proves nothing for smaller margins)" : ""));
+  if (report.removed_vertex != kNone) {
+    text += Line("removed vertex", fmt::format("{}, its neighbours limited to {:.17g} pi",
+                                               report.removed_vertex, report.link_upper_over_pi));
+  }
   if (report.evaluated) text += InequalityLines(report);
   return text + "verdict: " + report.Verdict() + "\n";
 }
@@ -56,6 +66,10 @@ std::string ToJson(const ProofReport& report) {
   json["errors"] = report.errors;
   json["triangles"] = report.num_triangles;
   json["epsilon_over_pi"] = report.epsilon_over_pi;
+  if (report.removed_vertex != kNone) {
+    json["removed_vertex"] = report.removed_vertex;
+    json["link_upper_over_pi"] = report.link_upper_over_pi;
+  }
   const auto known = [&](double x) { return report.evaluated ? nlohmann::json(x) : nullptr; };
   json["left"] = known(report.left);
   json["right"] = known(report.right);

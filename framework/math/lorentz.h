@@ -23,8 +23,11 @@ class LorentzBoost {
   /// The image of the unit vector v.
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const;
 
+  /// The point of Poincare's ball that it carries to the centre: x at half its hyperbolic distance.
+  const Eigen::Vector3d& centre() const { return y_; }
+
  private:
-  Eigen::Vector3d y_;  ///< x in Poincare's ball: half its hyperbolic distance from the centre
+  Eigen::Vector3d y_;
   double one_minus_y2_ = 1.0;  ///< 1 - y.y without cancellation
 };
 

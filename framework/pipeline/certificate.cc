@@ -17,15 +17,17 @@ nlohmann::ordered_json NumbersToJson(const std::map<std::string, double>& number
 }
 
 nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
-  return {{"epsilon_over_pi", proof.epsilon_over_pi},
-          {"margin", proof.margin},
-          {"carrying_faces", proof.carrying_faces},
-          {"carrying_vertices", proof.carrying_vertices},
-          {"constrained_vertex", proof.constrained_vertex},
-          {"lower_over_pi", proof.lower_over_pi},
-          {"upper_over_pi", proof.upper_over_pi},
-          {"vertex_multiplier", proof.vertex_multiplier},
-          {"face_multiplier", proof.face_multiplier}};
+  nlohmann::ordered_json json = {{"epsilon_over_pi", proof.epsilon_over_pi},
+                                 {"margin", proof.margin},
+                                 {"carrying_faces", proof.carrying_faces},
+                                 {"carrying_vertices", proof.carrying_vertices},
+                                 {"constrained_vertex", proof.constrained_vertex},
+                                 {"lower_over_pi", proof.lower_over_pi},
+                                 {"upper_over_pi", proof.upper_over_pi},
+                                 {"vertex_multiplier", proof.vertex_multiplier},
+                                 {"face_multiplier", proof.face_multiplier}};
+  if (proof.removed_vertex != kNone) json["removed_vertex"] = proof.removed_vertex;
+  return json;
 }
 
 }  // namespace

@@ -30,6 +30,13 @@ struct Certificate {
   ///   rotation_order (n: the rotations across seams are exact multiples of 2 pi / n; 0: are not)
   /// - measures: quasi_conformal_mean, quasi_conformal_max, log_area_ratio_l2, log_area_ratio_min,
   ///   log_area_ratio_max
+  /// - maps to the sphere also: pole (as in the input file, from 0), pole_corners, pole_attempts,
+  ///   link_margin (pi minus the largest angle sum allowed at the link) [rad], delaunay_margin (the
+  ///   smallest intersection angle of two circles on the sphere, those at the pole included, of the
+  ///   triangulation where it was solved) [rad], normalization_iterations, normalization_residual,
+  ///   centre_of_mass (its distance from 0), degree, angle_distortion_mean, angle_distortion_max
+  ///   (between the flat triangles of the surface and of the image) [rad]; flipped_triangles are
+  ///   those of the input on the sphere
   std::map<std::string, double> values;
   std::map<std::string, double> seconds;  ///< wall time by stage
   /// The solver of each stage; where it was chosen automatically with the reason.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <glog/logging.h>
 
 #include "cirque/mesh/corner_angles.h"
@@ -68,6 +69,41 @@ Surface Kleetope(const Surface& surface) {
     AddTriangle(&soup, a, b, apex);
     AddTriangle(&soup, b, c, apex);
     AddTriangle(&soup, c, a, apex);
+  }
+  return SurfaceOf(soup);
+}
+
+Surface RegularPolyhedron(int num_faces) {
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  PolygonSoup soup;
+  if (num_faces == 4) soup.position = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  for (const double s : {-1., 1.}) {
+    for (int k = 0; k < 3; ++k) {
+      if (num_faces == 8) soup.position.emplace_back(s * Eigen::Vector3d::Unit(k));
+      for (const double t : {-golden, golden}) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        x[k] = s;
+        x[(k + 1) % 3] = t;
+        if (num_faces == 20) soup.position.push_back(x);
+      }
+    }
+  }
+  for (Eigen::Vector3d& x : soup.position) x.normalize();
+  // The faces are the triples at the least distance.
+  const double side = num_faces == 4 ? std::sqrt(8. / 3) : num_faces == 8 ? std::sqrt(2.) : 1.0515;
+  const auto adjacent = [&](Index a, Index b) {
+    return std::abs((soup.position[a] - soup.position[b]).norm() - side) < 1e-3;
+  };
+  const auto count = static_cast<Index>(soup.position.size());
+  for (Index a = 0; a < count; ++a) {
+    for (Index b = a + 1; b < count; ++b) {
+      for (Index c = b + 1; c < count; ++c) {
+        if (!adjacent(a, b) || !adjacent(b, c) || !adjacent(a, c)) continue;
+        const auto& p = soup.position;
+        const bool outward = p[a].dot((p[b] - p[a]).cross(p[c] - p[a])) > 0;
+        AddTriangle(&soup, a, outward ? b : c, outward ? c : b);
+      }
+    }
   }
   return SurfaceOf(soup);
 }

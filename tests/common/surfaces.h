@@ -32,6 +32,16 @@ Surface Fan(int n, double height);
 /// Every face split into three by a vertex at its centroid.
 Surface Kleetope(const Surface& surface);
 
+/// The regular polyhedron of 4, 8 or 20 triangles on the unit sphere.
+Surface RegularPolyhedron(int num_faces);
+
+/// The surface with its points moved.
+template <class Map>
+Surface Moved(Surface surface, const Map& map) {
+  for (Eigen::Vector3d& x : surface.position) x = map(x);
+  return surface;
+}
+
 /// The surface's corner angles [rad].
 CornerAngles AnglesOf(const Surface& surface);
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "cirque/pipeline/sphere.h"
+
+#include "experiments/circle_patterns/run.h"
+
+namespace cirque {
+
+/// What the program was asked to do with --domain=sphere, beside CirclePatternsJob.
+struct SphereJob {
+  Index pole = 0;  ///< counted from 1 as in the file; 0: chosen
+  std::string normalization;
+  bool principal_axes = false;
+  std::string latlong;  ///< .obj to write with latitude and longitude as texture; empty: none
+};
+
+/// Maps the closed mesh job.input to the sphere. The output is an OBJ of its triangles with their
+/// points on the sphere, or a PLY with the points as they were, those on the sphere as properties
+/// sx, sy, sz, and the distortion of every face. Vertices of no face are at (0, 0, 0) on the
+/// sphere. Files are written as by RunCirclePatterns.
+Status RunSphere(const CirclePatternsJob& job, const SphereJob& sphere, const SolveControl& control,
+                 std::ostream& report);
+
+}  // namespace cirque

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/mesh/polygon_soup.h"
+#include "cirque/mesh/surface.h"
+#include "cirque/pipeline/sphere.h"
+
+namespace cirque {
+
+/// The surface's triangles with the input's vertices, in the input's order, on the sphere.
+PolygonSoup SphereMesh(const PolygonSoup& input, const Surface& surface, const SphereMap& map);
+
+/// Text PLY: the input's points (x, y, z) and theirs on the sphere (sx, sy, sz); per face
+/// quasi_conformal and angle_distortion [rad].
+std::string SpherePly(const PolygonSoup& input, const Surface& surface, const SphereMap& map);
+
+}  // namespace cirque

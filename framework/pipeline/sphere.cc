@@ -1,0 +1,269 @@
+#include "cirque/pipeline/sphere.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/core/timer.h"
+#include "cirque/layout/planar_layout.h"
+#include "cirque/layout/poisson_layout.h"
+#include "cirque/metrics/spherical.h"
+#include "cirque/pipeline/flatten.h"
+#include "cirque/pipeline/pole.h"
+#include "cirque/pipeline/sphere_certificate.h"
+#include "cirque/pipeline/sphere_normalization.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxRounds = 6;  ///< of locking and solving again
+constexpr Index kMaxPoles = 4;
+constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles goes with epsilon
+
+Status CheckNames(const SphereOptions& options, const ParameterizeOptions& in_plane) {
+  const std::tuple<const char*, std::string, std::vector<std::string>> choices[] = {
+      {"normalization", options.normalization, SphereNormalizations()},
+      {"triangulation", in_plane.triangulation, {"delaunay", "input"}},
+      {"layout", in_plane.layout, {"directions", "least_squares"}}};
+  for (const auto& [kind, name, known] : choices) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Status::InvalidInput(UnknownName(kind, name, known));
+  }
+  return Status();
+}
+
+Status CheckSurface(const Surface& surface, const SphereOptions& options) {
+  const Triangulation& t = surface.triangulation;
+  const std::size_t loops = BoundaryLoops(t).size();
+  if (loops > 0) {
+    return Status::InvalidInput(fmt::format(
+        "a map to the sphere needs a closed surface, but this has {} boundary loops; close them",
+        loops));
+  }
+  const Index genus = 1 - EulerCharacteristic(t) / 2;
+  if (genus != 0) {
+    return Status::InvalidInput(fmt::format(
+        "a map to the sphere needs a surface of genus 0, but this has genus {}", genus));
+  }
+  if (options.pole != kNone && (options.pole < 0 || options.pole >= t.num_vertices)) {
+    return Status::InvalidInput(
+        fmt::format("the pole {} is no vertex: there are {}", options.pole, t.num_vertices));
+  }
+  return Status();
+}
+
+/// Interior vertices flat; the link free but convex by a margin.
+ConeTargets ConvexLinkTargets(const Triangulation& t, double margin) {
+  ConeTargets targets = FreeBoundaryTargets(t);
+  const std::vector<bool> link = BoundaryVertices(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (link[v]) targets.upper[v] = kPi - margin;
+  }
+  return targets;
+}
+
+StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& disk,
+                                const FlatOnInput& flat) {
+  const Cut no_cut = {std::vector<bool>(disk.num_edges(), false)};
+  if (method == "directions") return LayOutPatches(disk, flat.angles, flat.lengths, no_cut);
+  return LayOutByLeastSquares(disk, flat.angles, flat.lengths, no_cut);
+}
+
+/// What `step` returns, its time added to the stage's.
+template <class Step>
+auto Timed(const char* stage, Certificate* certificate, const Step& step) {
+  const Timer timer;
+  auto result = step();
+  certificate->seconds[stage] += timer.Seconds();
+  return result;
+}
+
+/// One surface on its way to the sphere.
+class SphereMapping {
+ public:
+  SphereMapping(const Surface& surface, const SphereOptions& options,
+                const ParameterizeOptions& parameterize_options, const SolveControl& control,
+                SphereMap* map)
+      : surface_(surface),
+        t_(surface.triangulation),
+        lengths_(MeasureEdgeLengths(surface)),
+        options_(options),
+        in_plane_(parameterize_options),
+        control_(control),
+        map_(*map) {
+    in_plane_.triangulation = "input";  // flips are made here, on the closed surface
+    flips_ = parameterize_options.triangulation != "input";
+  }
+
+  Status Run() {
+    IntrinsicTriangulation delaunay = {t_, lengths_, {}, {}};
+    if (flips_) delaunay = Timed("triangulation", &map_.certificate, [&] { return Delaunay({}); });
+    std::vector<Index> poles = {options_.pole};
+    if (options_.pole == kNone) {
+      poles = Timed("pole", &map_.certificate,
+                    [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
+    }
+    Status status = Status::InvalidInput("no vertex is the centre of a disk of triangles");
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+      Put("pole_attempts", static_cast<double>(i + 1));
+      status = TryPole(poles[i], delaunay);
+      const bool may_do_better = status.code() == StatusCode::kNotConverged ||
+                                 status.code() == StatusCode::kUnrepresentable;
+      if (!may_do_better || !normalized_) break;
+    }
+    if (!status.ok()) map_.position.clear();
+    return status;
+  }
+
+ private:
+  void Put(const std::string& name, double value) { map_.certificate.values[name] = value; }
+
+  IntrinsicTriangulation Delaunay(const std::vector<bool>& locked) const {
+    return MakeIntrinsicDelaunay(t_, lengths_, {nullptr, locked});
+  }
+
+  Status TryPole(Index pole, const IntrinsicTriangulation& delaunay) {
+    map_.pole = pole;
+    Put("pole", surface_.soup_vertex[pole]);
+    if (flips_) {
+      const Status status = TryLockingFlipped(delaunay);
+      if (status.ok() && flipped_.empty()) return status;
+      if (status.code() == StatusCode::kCancelled || !normalized_) return status;
+    }
+    const Status status = TryOn({t_, lengths_, {}, {}});
+    if (!status.ok() || flipped_.empty()) return status;
+    return Unrepresentable();
+  }
+
+  /// The lazily constrained loop; ends with whatever its last round came to.
+  Status TryLockingFlipped(const IntrinsicTriangulation& delaunay) {
+    std::vector<bool> locked(t_.num_edges(), false);
+    Put("delaunay_rounds", 1);
+    Status status = TryOn(delaunay);
+    for (int round = 1; round < kMaxRounds && status.ok() && !flipped_.empty(); ++round) {
+      for (const Index f : flipped_) {
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) locked[t_.edge[h]] = true;
+      }
+      const auto again =
+          Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); });
+      status = TryOn(again);
+      Put("delaunay_rounds", round + 1);
+    }
+    return status;
+  }
+
+  Status TryOn(const IntrinsicTriangulation& intrinsic) {
+    const StatusOr<PuncturedSurface> punctured = Puncture(intrinsic.triangulation, map_.pole);
+    if (!punctured.ok()) return punctured.status();
+    const EdgeLengths lengths =
+        InvertedLengths(surface_, intrinsic.triangulation, intrinsic.lengths, *punctured);
+    FlatSurface flat;
+    const Status status = FlattenWithConvexLink(*punctured, lengths, &flat);
+    Put("flips", static_cast<double>(intrinsic.flips.size()));
+    Put("pole_corners", static_cast<double>(punctured->link.size()));
+    if (!status.ok()) {
+      InfeasibilityProof& proof = map_.certificate.infeasibility;
+      if (!proof.empty()) NumberProofAsInFile(surface_, *punctured, &proof);
+      return status;
+    }
+    Put("delaunay_margin",
+        SphericalDelaunayMargin(punctured->triangulation, flat.on_input.angles.value));
+    return Timed("layout", &map_.certificate, [&] { return LayOut(*punctured, flat.on_input); });
+  }
+
+  Status FlattenWithConvexLink(const PuncturedSurface& punctured, const EdgeLengths& lengths,
+                               FlatSurface* flat) {
+    Status status;
+    for (const double margin : {in_plane_.epsilon, kLeastLinkMargin}) {
+      Put("link_margin", margin);
+      status = Flatten(punctured.triangulation, lengths,
+                       ConvexLinkTargets(punctured.triangulation, margin), in_plane_, control_,
+                       &map_.certificate, flat);
+      if (status.code() != StatusCode::kInfeasible) break;
+    }
+    return status;
+  }
+
+  Status LayOut(const PuncturedSurface& punctured, const FlatOnInput& flat) {
+    const Triangulation& t = punctured.triangulation;
+    const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
+    if (!laid_out.ok()) return laid_out.status();
+    const PlanarLayout& layout = *laid_out;
+    Put("layout_closure", layout.closure);
+    PlaneWithPole plane;
+    plane.pole = punctured.pole;
+    plane.position.assign(t_.num_vertices, Eigen::Vector2d::Zero());
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      plane.position[punctured.vertex[t.vertex[h]]] = layout.uv.value[h];
+    }
+    return Normalize(plane);
+  }
+
+  Status Normalize(const PlaneWithPole& plane) {
+    const auto normalized = NormalizeChart(surface_, plane, options_.normalization);
+    normalized_ = normalized.ok();
+    if (!normalized_) return normalized.status();
+    Put("normalization_iterations", normalized->iterations);
+    Put("normalization_residual", normalized->residual);
+    map_.position = LiftAll(plane, normalized->chart);
+    if (options_.principal_axes) {
+      const Eigen::Matrix3d axes = PrincipalAxes(map_.position, VertexAreas(t_, surface_.position));
+      for (Eigen::Vector3d& x : map_.position) x = (axes * x).normalized();
+    }
+    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+    for (Index v = 0; v < t_.num_vertices; ++v) mass += normalized->weights[v] * map_.position[v];
+    Put("centre_of_mass", mass.norm());
+    flipped_ = FlippedSphericalFaces(t_, map_.position);
+    Put("flipped_triangles", static_cast<double>(flipped_.size()));
+    return Status();
+  }
+
+  Status Unrepresentable() const {
+    return Status(
+        StatusCode::kUnrepresentable,
+        fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
+                    "radii range over {:.1f} and {} faces collapse, faces {} (0-based) "
+                    "among them; name another --pole or normalization",
+                    map_.certificate.values.at("log_radius_range"), flipped_.size(),
+                    IdList(flipped_, 5)));
+  }
+
+  const Surface& surface_;
+  const Triangulation& t_;
+  const EdgeLengths lengths_;
+  const SphereOptions& options_;
+  ParameterizeOptions in_plane_;
+  bool flips_ = true;
+  const SolveControl& control_;
+  SphereMap& map_;
+  std::vector<Index> flipped_;  ///< of the input's faces on the sphere
+  bool normalized_ = true;      ///< false: no other pole or triangulation would help
+};
+
+}  // namespace
+
+Status MapToSphere(const Surface& surface, const SphereOptions& options,
+                   const ParameterizeOptions& parameterize_options, const SolveControl& control,
+                   SphereMap* map) {
+  *map = SphereMap();
+  const Timer timer;
+  Status status = CheckNames(options, parameterize_options);
+  if (status.ok()) status = CheckSurface(surface, options);
+  if (status.ok()) {
+    status = SphereMapping(surface, options, parameterize_options, control, map).Run();
+  }
+  if (status.ok()) {
+    const Timer measure_timer;
+    MeasureSphereMap(surface, map);
+    map->certificate.seconds["measures"] = measure_timer.Seconds();
+  }
+  map->certificate.seconds["total"] = timer.Seconds();
+  map->certificate.outcome = ToString(status.code());
+  map->certificate.message = status.message();
+  return status;
+}
+
+}  // namespace cirque

@@ -1,0 +1,68 @@
+#include "cirque/pipeline/sphere_certificate.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cirque/metrics/measure_map.h"
+#include "cirque/metrics/spherical.h"
+
+namespace cirque {
+
+double SphericalDelaunayMargin(const Triangulation& t, const Eigen::VectorXd& angle) {
+  double margin = kPi;
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    sum[t.vertex[h]] += angle[h];
+    margin = std::min(margin, kPi - angle[h] - (t.twin[h] == kNone ? 0 : angle[t.twin[h]]));
+  }
+  const std::vector<bool> link = BoundaryVertices(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (link[v]) margin = std::min(margin, kPi - sum[v]);
+  }
+  return margin;
+}
+
+void NumberProofAsInFile(const Surface& surface, const PuncturedSurface& punctured,
+                         InfeasibilityProof* proof) {
+  std::vector<double> of_face(surface.triangulation.num_faces(), 0);
+  for (std::size_t f = 0; f < punctured.face.size(); ++f) {
+    of_face[punctured.face[f]] = proof->face_multiplier[f];
+  }
+  proof->face_multiplier = std::move(of_face);
+  for (Index& f : proof->carrying_faces) f = punctured.face[f];
+  for (auto* vertices : {&proof->constrained_vertex, &proof->carrying_vertices}) {
+    for (Index& v : *vertices) v = surface.soup_vertex[punctured.vertex[v]];
+  }
+  proof->removed_vertex = surface.soup_vertex[punctured.pole];
+}
+
+void MeasureSphereMap(const Surface& surface, SphereMap* map) {
+  const Triangulation& t = surface.triangulation;
+  const EdgeLengths source = MeasureEdgeLengths(surface), image = ChordLengths(t, map->position);
+  const CornerUv planar = FacesInPlane(t, image);
+  const MappedFaces faces = MeasureFaces(t, source, planar);
+  const Eigen::VectorXd differences = AngleDifferences(t, source, image);
+  map->quasi_conformal.setZero(t.num_faces());
+  for (Index i = 0; i < faces.num_faces(); ++i) {
+    map->quasi_conformal[faces.face[i]] = faces.sigma_max[i] / faces.sigma_min[i];
+  }
+  map->angle_distortion.resize(t.num_faces());
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    map->angle_distortion[f] = differences.segment<3>(3 * f).maxCoeff();
+  }
+  Certificate& certificate = map->certificate;
+  certificate.values.merge(
+      *MeasureFigures(t, source, planar,
+                      {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
+                       "log_area_ratio_min", "log_area_ratio_max"}));
+  certificate.values.merge(
+      std::map<std::string, double>{{"angle_distortion_mean", differences.mean()},
+                                    {"angle_distortion_max", differences.maxCoeff()},
+                                    {"degree", SphericalDegree(t, map->position)}});
+  certificate.overlap = "injective";  // no flips, and the degree of a sphere's layout is 1
+}
+
+}  // namespace cirque

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "cirque/core/infeasibility.h"
+#include "cirque/mesh/puncture.h"
+#include "cirque/mesh/surface.h"
+#include "cirque/pipeline/sphere.h"
+
+namespace cirque {
+
+/// The smallest intersection angle of circumcircles on the sphere [rad], from the flat angles of
+/// the punctured triangulation: across edges of the plane, on the link between a circle and a line,
+/// at the pole between two lines.
+double SphericalDelaunayMargin(const Triangulation& punctured, const Eigen::VectorXd& flat_angles);
+
+/// The proof for the punctured surface in the numbers of the input file, its faces those of the
+/// whole surface.
+void NumberProofAsInFile(const Surface& surface, const PuncturedSurface& punctured,
+                         InfeasibilityProof* proof);
+
+/// Fills in the map's distortions and their figures in the certificate.
+void MeasureSphereMap(const Surface& surface, SphereMap* map);
+
+}  // namespace cirque
