@@ -79,13 +79,15 @@ Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices
                            const Surface& surface, const SolveControl& control,
                            Parameterization* map) {
   const Triangulation& t = surface.triangulation;
-  const StatusOr<ConeTargets> targets = PrescribedTargets(job, t, MeasureEdgeLengths(surface),
-                                                          {num_file_vertices, surface.soup_vertex});
+  const StatusOr<std::optional<ConeTargets>> targets =
+      PrescribedTargets(job, t, {num_file_vertices, surface.soup_vertex});
   if (!targets.ok()) return targets.status();
   const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, NumbersInFile(surface));
   if (!cut.ok()) return cut.status();
-  const Status status =
-      Parameterize(surface, *targets, *cut ? &**cut : nullptr, job.options, control, map);
+  const Cut* given = *cut ? &**cut : nullptr;
+  const Status status = *targets
+                            ? Parameterize(surface, **targets, given, job.options, control, map)
+                            : ParameterizeWithCones(surface, given, job.options, control, map);
   return status.code() == StatusCode::kInvalidInput ? status.In(job.input) : status;
 }
 

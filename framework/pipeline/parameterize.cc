@@ -1,5 +1,6 @@
 #include "cirque/pipeline/parameterize.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,6 @@
 #include "cirque/layout/poisson_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/simple_cones.h"
 #include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
 
@@ -106,12 +106,24 @@ Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
   return status;
 }
 
-Status Run(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
-           const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
+Status Run(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
+           const ParameterizeOptions& options, const SolveControl& control,
            Parameterization* result) {
   const Status status =
-      Flatten(t, lengths, targets, options, control, &result->certificate, &result->flat);
-  return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, options.layout, result) : status;
+      Flatten(t, lengths, result->targets, options, control, &result->certificate, &result->flat);
+  if (!status.ok()) return status;
+  return LayOutAndMeasure(t, lengths, result->targets, cut, options.layout, result);
+}
+
+Status RunWithCones(const Triangulation& t, const EdgeLengths& lengths, const FileVertices& file,
+                    const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result) {
+  const Timer timer;
+  StatusOr<ConeTargets> targets = PlaceCones(t, lengths, file, options);
+  result->certificate.seconds["cones"] = timer.Seconds();
+  if (!targets.ok()) return targets.status();
+  result->targets = *std::move(targets);
+  return Run(t, lengths, cut, options, control, result);
 }
 
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
@@ -140,12 +152,13 @@ void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
   for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }
 
-}  // namespace
-
-StatusOr<ConeTargets> DefaultTargets(const Triangulation& t, const EdgeLengths& lengths) {
-  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  return SimpleConeTargets(t, lengths);
+/// Isolated vertices behind the last used one are unknown here, and no cone can lie there.
+FileVertices VerticesInFile(const Surface& surface) {
+  const auto& number = surface.soup_vertex;
+  return {number.empty() ? 0 : *std::max_element(number.begin(), number.end()) + 1, number};
 }
+
+}  // namespace
 
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
   return DefaultTargets(surface.triangulation, MeasureEdgeLengths(surface));
@@ -155,9 +168,9 @@ Status Parameterize(const Triangulation& t, const EdgeLengths& lengths, const Co
                     const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result) {
   *result = Parameterization();
+  result->targets = targets;
   const Timer timer;
-  return Conclude(Run(t, lengths, targets, cut, options, control, result), timer,
-                  &result->certificate);
+  return Conclude(Run(t, lengths, cut, options, control, result), timer, &result->certificate);
 }
 
 Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
@@ -165,6 +178,28 @@ Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cu
                     Parameterization* result) {
   const Status status = Parameterize(surface.triangulation, MeasureEdgeLengths(surface), targets,
                                      cut, options, control, result);
+  NumberAsInFile(surface, &result->certificate.infeasibility);
+  return status;
+}
+
+Status ParameterizeWithCones(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
+                             const ParameterizeOptions& options, const SolveControl& control,
+                             Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  return Conclude(RunWithCones(t, lengths, {}, cut, options, control, result), timer,
+                  &result->certificate);
+}
+
+Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
+                             const ParameterizeOptions& options, const SolveControl& control,
+                             Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  const Status status =
+      Conclude(RunWithCones(surface.triangulation, MeasureEdgeLengths(surface),
+                            VerticesInFile(surface), cut, options, control, result),
+               timer, &result->certificate);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return status;
 }

@@ -54,7 +54,8 @@ const std::vector<BadConfig>& BadConfigs() {
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
-       "angle_strategy, strategy, layout, epsilon, max_iterations"},
+       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, epsilon, "
+       "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
       {"DuplicateInEntry", Config("{generator: bumpy_terrain, seed: 1, seed: 2}", kMethod),
