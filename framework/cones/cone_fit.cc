@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
 #include <glog/logging.h>
@@ -26,8 +27,17 @@ void ConeFit::Add(Index vertex) {
 }
 
 void ConeFit::Move(int i, Index vertex) {
+  last_move_ = {i, vertices_[i], std::move(response_[i]), curvature_};
   vertices_[i] = vertex;
   SetResponse(i, vertex);
+}
+
+void ConeFit::UndoMove() {
+  const int i = last_move_.cone;
+  vertices_[i] = last_move_.vertex;
+  response_[i] = std::move(last_move_.response);
+  curvature_ = std::move(last_move_.curvature);
+  SetProducts(i);
 }
 
 void ConeFit::SetResponse(int i, Index vertex) {
@@ -35,6 +45,10 @@ void ConeFit::SetResponse(int i, Index vertex) {
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(problem_.triangulation().num_vertices);
   unit[vertex] = 1;
   response_[i] = problem_.Solve(unit);
+  SetProducts(i);
+}
+
+void ConeFit::SetProducts(int i) {
   const Eigen::VectorXd weighted = problem_.area().cwiseProduct(response_[i]);
   for (int j = 0; j < size(); ++j) gram_(i, j) = gram_(j, i) = weighted.dot(response_[j]);
   linear_[i] = weighted.dot(without_cones_);

@@ -23,8 +23,10 @@ class ConeFit {
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
   void Add(Index vertex);
-  /// Puts cone i elsewhere.
+  /// Puts cone i elsewhere; its curvature stays until it is fitted.
   void Move(int i, Index vertex);
+  /// Takes the last move back, and the curvatures that it began with.
+  void UndoMove();
 
   /// The admissible curvatures of least distortion 1/2 sum_v a_v u_v^2. False, and nothing changes,
   /// when admissible curvatures cannot add up to 2 pi chi on a closed surface.
@@ -50,6 +52,13 @@ class ConeFit {
 
  private:
   void SetResponse(int i, Index vertex);
+  void SetProducts(int i);
+
+  struct MoveRecord {
+    int cone = 0;
+    Index vertex = kNone;
+    Eigen::VectorXd response, curvature;
+  };
 
   const ConeProblem& problem_;
   const Eigen::VectorXd without_cones_;
@@ -58,6 +67,7 @@ class ConeFit {
   Eigen::MatrixXd gram_;    ///< area-weighted products of the responses
   Eigen::VectorXd linear_;  ///< of the responses with u_0
   Eigen::VectorXd curvature_;
+  MoveRecord last_move_;
 };
 
 }  // namespace cirque

@@ -3,6 +3,9 @@
 #include "cirque/cones/curvature_peaks.h"
 #include "cirque/cones/fixed_cones.h"
 #include "cirque/cones/greedy_cones.h"
+#include "cirque/cones/l1_cones.h"
+#include "cirque/cones/moving_cones.h"
+#include "cirque/cones/reweighted_cones.h"
 
 namespace cirque {
 namespace {
@@ -27,6 +30,9 @@ const Registry<ConeHeuristicFactory>& ConeHeuristics() {
           {"given", HeuristicFactory<GivenCones>(GivenOptionTable())},
           {"curvature_peaks", HeuristicFactory<CurvaturePeaks>(CurvaturePeaksOptionTable())},
           {"greedy", HeuristicFactory<GreedyCones>(GreedyOptionTable())},
+          {"l1", HeuristicFactory<L1Cones>(L1OptionTable())},
+          {"reweighted", HeuristicFactory<ReweightedCones>(ReweightedOptionTable())},
+          {"moving", MovingCones::Make},
       });
   return kTable;
 }

@@ -152,8 +152,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
                 "/a.obj'; put it there, or skip it with 'optional: true'\n" +
                 "    - file: a.obj\n            ^\n" +  //
                 path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-                "triangulation, angle_fit, angle_strategy, strategy, layout, epsilon, "
-                "max_iterations\n    "
+                "triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
+                "cone_angles, refine_cones, epsilon, max_iterations\n    "
                 "- nam: a\n      "
                 "^\n" +  //
                 path +
