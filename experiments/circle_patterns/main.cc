@@ -44,6 +44,10 @@ DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,
               "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS");
 DEFINE_int32(refine_cones, cirque::ParameterizeOptions().refine_cones,
              "steps that lower the realised area distortion by the cones' angles");
+DEFINE_string(cut_cost, cirque::ParameterizeOptions().cut_cost,
+              "what the cut is short in: flat_length, length, distortion or curvature");
+DEFINE_string(edge_costs, cirque::ParameterizeOptions().edge_costs,
+              "file of factors on that: 'from to cost' a line");
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
@@ -107,6 +111,8 @@ CirclePatternsJob JobOfFlags() {
                  .cone_budget = FLAGS_cone_budget,
                  .cone_angles = FLAGS_cone_angles,
                  .refine_cones = FLAGS_refine_cones,
+                 .cut_cost = FLAGS_cut_cost,
+                 .edge_costs = FLAGS_edge_costs,
                  .epsilon = FLAGS_epsilon,
                  .max_iterations = FLAGS_max_iterations};
   return job;

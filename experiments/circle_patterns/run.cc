@@ -49,9 +49,20 @@ std::string Summary(const Certificate& c) {
       value("flipped_triangles"), c.overlap, value("quasi_conformal_mean"),
       value("quasi_conformal_max"));
   if (value("cones") > 0 || value("seams") > 0) {
-    text += fmt::format("cut         {:.0f} cones, {:.0f} seams, rotation {:.1e} rad, gap {:.1e}\n",
-                        value("cones"), value("seams"), value("seam_rotation_mismatch"),
-                        value("seam_gap"));
+    text += fmt::format(
+        "cut         {:.0f} cones, {:.0f} seams, length {:.2f}, rotation {:.1e} rad, gap {:.1e}\n",
+        value("cones"), value("seams"), value("cut_length"), value("seam_rotation_mismatch"),
+        value("seam_gap"));
+  }
+  if (value("cone_repairs") > 0) {
+    text += fmt::format("cones       {:.0f} moved, {:.0f} widened, where they were infeasible\n",
+                        value("cones_moved"), value("cones_widened"));
+  }
+  if (value("refinement_steps") >= 0) {
+    text +=
+        fmt::format("cones       {:.0f} steps of refinement, area distortion {:.4f} to {:.4f}\n",
+                    value("refinement_steps"), value("refinement_area_distortion_before"),
+                    value("refinement_area_distortion_after"));
   }
   return text;
 }

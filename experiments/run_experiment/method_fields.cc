@@ -4,6 +4,7 @@
 
 #include "cirque/angles/registry.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/pipeline/cut_costs.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/run_experiment/scalars.h"
@@ -69,6 +70,13 @@ const std::vector<MethodField>& MethodFields() {
        "steps of the refinement of the cones' angles",
        0,
        1000,
+       {}},
+      {"cut_cost", &Options::cut_cost, "what the cut is short in", 0, 0, CutCostWords()},
+      {"edge_costs",
+       &Options::edge_costs,
+       "file of factors on that: 'from to cost' a line",
+       0,
+       0,
        {}},
       {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
       {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},

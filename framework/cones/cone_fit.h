@@ -20,6 +20,8 @@ class ConeFit {
   int size() const { return static_cast<int>(vertices_.size()); }
   const std::vector<Index>& vertices() const { return vertices_; }
   const Eigen::VectorXd& curvature() const { return curvature_; }  ///< of each cone [rad]
+  /// sum_v a_v g_c g_d: the Hessian of 1/2 sum a u^2 by the curvatures.
+  const Eigen::MatrixXd& gram() const { return gram_; }
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
   void Add(Index vertex);

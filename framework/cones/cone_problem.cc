@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <glog/logging.h>
@@ -48,10 +47,7 @@ ConeSource Complete(ConeSource source, const Triangulation& t, const EdgeLengths
     source.lengths = &lengths;
   }
   CHECK_EQ(source.triangulation->num_vertices, t.num_vertices);
-  if (source.file.of_vertex.empty()) {
-    source.file = {t.num_vertices, std::vector<Index>(t.num_vertices)};
-    std::iota(source.file.of_vertex.begin(), source.file.of_vertex.end(), 0);
-  }
+  if (source.file.of_vertex.empty()) source.file = VerticesInOrder(t.num_vertices);
   return source;
 }
 

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/cones/cone_clusters.h"
+#include "cirque/cones/descent.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kThreshold = 1e-3;  ///< [rad]: less curvature is no cone
-constexpr double kTolerance = 1e-7;  ///< of the program, for clusters
+constexpr double kTolerance = 1e-7;  ///< of the program
+constexpr double kLambdaFactor = 0.25;
 
 /// The weight at which, without cones, the dual would just fit its box.
 double LargestUsefulLambda(const ConeProblem& problem) {
@@ -50,28 +51,21 @@ Eigen::VectorXd L1Curvature(const ConeProblem& problem, const BoxSolution& solut
 }
 
 StatusOr<std::vector<Cone>> L1Cones::PlaceAtMost(const ConeProblem& problem, int count) const {
-  if (count == 0) return ConesAtClusters(problem, {}, 0);
+  const Triangulation& t = problem.triangulation();
+  const std::vector<bool> nowhere(t.num_vertices, false);
+  if (count == 0) return PlaceByDescent(problem, nowhere, 0);
   const bool search = options_.lambda == 0;
   double lambda = search ? LargestUsefulLambda(problem) / count : options_.lambda;
-  double too_small = 0, too_large = 0;  // bounds of the weight, 0 while unknown
   BoxProgram program = L1Dual(problem, lambda);
-  std::vector<CurvatureCluster> best;
+  std::vector<bool> support = nowhere;
   for (int solve = 0; solve < (search ? options_.max_solves : 1); ++solve) {
     program.bound.setConstant(lambda);
     const Eigen::VectorXd mu = L1Curvature(problem, SolveBoxProgram(program, kTolerance));
-    auto clusters = ClusterCurvature(problem.triangulation(), mu, kThreshold);
-    const auto size = static_cast<int>(clusters.size()), kept = static_cast<int>(best.size());
-    const bool better = kept < count ? size > kept : size >= count && size < kept;
-    if (better) best = std::move(clusters);
-    if (size == count) break;
-    (size > count ? too_small : too_large) = lambda;
-    if (too_small > 0 && too_large > 0) {
-      lambda = std::sqrt(too_small * too_large);
-    } else {
-      lambda *= size > count ? 3 : 1. / 3;
-    }
+    support = Support(mu, kThreshold);
+    if (std::count(support.begin(), support.end(), true) >= 2 * count) break;
+    lambda *= kLambdaFactor;
   }
-  return ConesAtClusters(problem, best, count);
+  return PlaceByDescent(problem, support, count);
 }
 
 }  // namespace cirque

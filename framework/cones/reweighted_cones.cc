@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/cones/cone_clusters.h"
+#include "cirque/cones/descent.h"
 #include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kFirstEpsilon = 0.3, kLastEpsilon = 1e-3;  ///< [rad]
-constexpr double kEpsilonFactor = 0.7, kBetaFactor = 1.5;   ///< an iteration
-constexpr double kThreshold = 1e-2;                         ///< [rad]: less is no cone
+constexpr double kEpsilonFactor = 0.6, kBetaFactor = 1.5;   ///< an iteration
+constexpr double kBetaFallback = 0.25;                      ///< while there are too few clusters
+constexpr double kFirstBeta = 0.002;
+constexpr double kThreshold = 1e-2;  ///< [rad]: less is no cone
 
 /// The iterates, over the problem's candidates.
 class Reweighting {
@@ -36,10 +38,11 @@ class Reweighting {
     return mu_.allFinite();
   }
 
-  std::vector<CurvatureCluster> Clusters() const {
+  /// mu, V.
+  Eigen::VectorXd Curvature() const {
     Eigen::VectorXd mu = Eigen::VectorXd::Zero(problem_.triangulation().num_vertices);
     mu(problem_.candidates()) = mu_;
-    return ClusterCurvature(problem_.triangulation(), mu, kThreshold);
+    return mu;
   }
 
  private:
@@ -68,21 +71,31 @@ const OptionTable<ReweightedOptions>& ReweightedOptionTable() {
 
 StatusOr<std::vector<Cone>> ReweightedCones::PlaceAtMost(const ConeProblem& problem,
                                                          int count) const {
-  if (count == 0) return ConesAtClusters(problem, {}, 0);
+  const Triangulation& t = problem.triangulation();
+  const auto greedy = PlaceByDescent(problem, std::vector<bool>(t.num_vertices, true), count);
+  if (!greedy.ok() || count == 0) return greedy;
+  const double norm = AreaNorm(problem, PredictedLogScale(problem, *greedy));
+  // A share of what one cone is worth about there.
+  double beta = kFirstBeta * norm * norm / count, epsilon = kFirstEpsilon;
   Reweighting reweighting(problem);
-  const double norm = AreaNorm(problem, problem.LogScaleWithoutCones());
-  // A share of what the distortion falls by with every cone, at first a small one.
-  double beta = 1e-3 * norm * norm / count, epsilon = kFirstEpsilon;
-  std::vector<CurvatureCluster> clusters;
+  std::vector<bool> support(t.num_vertices, true);  // the last that left a choice
+  bool found = false;
   for (int i = 0; i < options_.max_iterations; ++i) {
     if (!reweighting.Iterate(beta, epsilon)) break;
-    clusters = reweighting.Clusters();
-    const bool settled = epsilon == kLastEpsilon;
-    if (settled && static_cast<int>(clusters.size()) <= count) break;
-    if (settled) beta *= kBetaFactor;
-    epsilon = std::max(kLastEpsilon, kEpsilonFactor * epsilon);
+    if (epsilon > kLastEpsilon) {
+      epsilon = std::max(kLastEpsilon, kEpsilonFactor * epsilon);
+      continue;
+    }
+    const Eigen::VectorXd mu = reweighting.Curvature();
+    const int clusters = NumClusters(t, mu, kThreshold);
+    if (clusters >= count) {
+      support = Support(mu, kThreshold);
+      found = true;
+    }
+    if (found && clusters <= count) break;
+    beta *= found ? kBetaFactor : kBetaFallback;
   }
-  return ConesAtClusters(problem, clusters, count);
+  return PlaceByDescent(problem, support, count);
 }
 
 }  // namespace cirque

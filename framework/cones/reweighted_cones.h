@@ -16,8 +16,9 @@ const OptionTable<ReweightedOptions>& ReweightedOptionTable();
 ///   1/2 sum_v a_v u_v^2 + beta/2 sum_v log(mu_v^2 + epsilon^2),   mu = L u + K,
 /// is lowered by minimising 1/2 u' A u + beta/2 sum_v w_v mu_v^2, w_v = 1 / (mu_v^2 + epsilon^2),
 /// again and again while epsilon falls to a thousandth of a radian and beta grows until no more
-/// clusters are left than the budget has cones. What is left becomes cones with curvatures of least
-/// distortion. With a target: the fewest cones found whose predicted |u| stays below it.
+/// clusters are left than the budget has cones. Among what is left the cones are chosen
+/// (PlaceByDescent), with curvatures of least distortion. With a target: the fewest cones found
+/// whose predicted |u| stays below it.
 ///
 /// Guarantees: every iteration lowers the surrogate of its beta and epsilon; a local method.
 class ReweightedCones final : public BudgetedHeuristic {

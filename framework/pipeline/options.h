@@ -17,7 +17,10 @@ struct ParameterizeOptions {
   std::string cones;
   int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
-  int refine_cones = 0;      ///< steps that lower the realised area distortion by the cones' angles
+  int refine_cones = 0;  ///< steps that lower the realised area distortion by the cones' angles
+  std::string cut_cost =
+      "flat_length";         ///< a word of CutCostWords(): what the cut shall be short in
+  std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve
 };

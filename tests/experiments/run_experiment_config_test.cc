@@ -54,7 +54,8 @@ const std::vector<BadConfig>& BadConfigs() {
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
-       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, epsilon, "
+       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, cut_cost, "
+       "edge_costs, epsilon, "
        "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
@@ -153,7 +154,7 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
                 "    - file: a.obj\n            ^\n" +  //
                 path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
                 "triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
-                "cone_angles, refine_cones, epsilon, max_iterations\n    "
+                "cone_angles, refine_cones, cut_cost, edge_costs, epsilon, max_iterations\n    "
                 "- nam: a\n      "
                 "^\n" +  //
                 path +
