@@ -18,14 +18,25 @@ namespace {
 
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 6;
+constexpr double kLeastRoom = 1e-6;  ///< [rad]: an angle nearer to its bound does not approach it
 constexpr double kLeastDecrease = 1e-4;  ///< relative, of a step after which another is worthwhile
 
-/// Columns that span the changes of n angles: all of them, or those that sum to 0.
-Eigen::MatrixXd ChangesOf(int n, bool sum_fixed) {
-  if (!sum_fixed) return Eigen::MatrixXd::Identity(n, n);
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
-  const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(ones).householderQ();
-  return q.rightCols(n - 1);
+/// Columns that span the changes of the free ones of n angles: all, or those that sum to 0.
+Eigen::MatrixXd ChangesOf(const std::vector<bool>& free, bool sum_fixed) {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (free[i]) rows.push_back(static_cast<int>(i));
+  }
+  const auto m = static_cast<int>(rows.size()), n = static_cast<int>(free.size());
+  Eigen::MatrixXd of_free = Eigen::MatrixXd::Identity(m, m);
+  if (sum_fixed && m > 0) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(m);
+    const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(ones).householderQ();
+    of_free = q.rightCols(m - 1);
+  }
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(n, of_free.cols());
+  for (int k = 0; k < m; ++k) changes.row(rows[k]) = of_free.row(k);
+  return changes;
 }
 
 class Refinement {
@@ -45,21 +56,19 @@ class Refinement {
 
   /// Steps until none is worthwhile; the number of them.
   int Run() {
-    if (static_cast<int>(vertices_.size()) < (problem_.IsClosed() ? 2 : 1)) return 0;
-    const Eigen::MatrixXd changes =
-        ChangesOf(static_cast<int>(vertices_.size()), problem_.IsClosed());
-    Eigen::MatrixXd hessian = changes.transpose() * LinearModelHessian() * changes;
-    Eigen::VectorXd slope = changes.transpose() * Gradient();
+    if (vertices_.empty()) return 0;
+    Eigen::MatrixXd hessian = LinearModelHessian();
+    Eigen::VectorXd gradient = Gradient();
     int steps = 0;
     while (steps < options_.refine_cones) {
-      const Eigen::VectorXd step = -hessian.ldlt().solve(slope);
+      const Eigen::VectorXd step = Direction(hessian, gradient);
       const double before = distortion_;
-      const double length = Search(changes * step, slope.dot(step));
+      const double length = Search(step, gradient.dot(step));
       if (length == 0) break;
       ++steps;
-      const Eigen::VectorXd next = changes.transpose() * Gradient();
-      UpdateHessian(length * step, next - slope, &hessian);
-      slope = next;
+      const Eigen::VectorXd next = Gradient();
+      UpdateHessian(length * step, next - gradient, &hessian);
+      gradient = next;
       if (distortion_ > (1 - kLeastDecrease) * before) break;
     }
     return steps;
@@ -102,15 +111,36 @@ class Refinement {
     return AreaDistortionGradient(current_, targets_, objective_)(vertices_);
   }
 
+  /// Newton's step, without the cones that it would push beyond what is admissible at once.
+  Eigen::VectorXd Direction(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient) const {
+    std::vector<bool> free(vertices_.size(), true);
+    while (true) {
+      const Eigen::MatrixXd changes = ChangesOf(free, problem_.IsClosed());
+      if (changes.cols() == 0) return Eigen::VectorXd::Zero(angles_.size());
+      const Eigen::MatrixXd reduced = changes.transpose() * hessian * changes;
+      const Eigen::VectorXd step =
+          changes * -reduced.ldlt().solve(changes.transpose() * gradient).eval();
+      bool blocked = false;
+      for (int i = 0; i < step.size(); ++i) {
+        if (!free[i] || step[i] * Room(i, step[i]) > kLeastRoom * std::abs(step[i])) continue;
+        free[i] = false;
+        blocked = true;
+      }
+      if (!blocked) return step;
+    }
+  }
+
+  /// From an angle to the end of what is admissible in the direction of the change.
+  double Room(int i, double change) const {
+    if (change > 0) return 2 * kPi - problem_.LeastCurvature(vertices_[i]) - angles_[i];
+    return 2 * kPi - problem_.GreatestCurvature() - angles_[i];
+  }
+
   /// How far along the change all angles stay admissible, at most 1.
   double LongestStep(const Eigen::VectorXd& change) const {
-    double length = 1;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const double least = 2 * kPi - problem_.GreatestCurvature();
-      const double greatest = 2 * kPi - problem_.LeastCurvature(vertices_[i]);
-      const double room = change[i] > 0 ? greatest - angles_[i] : least - angles_[i];
-      if (change[i] * room < 0) return 0;  // beyond already
-      if (change[i] != 0) length = std::min(length, room / change[i]);
+    double length = change.isZero() ? 0 : 1;
+    for (int i = 0; i < change.size(); ++i) {
+      if (change[i] != 0) length = std::min(length, Room(i, change[i]) / change[i]);
     }
     return length;
   }
