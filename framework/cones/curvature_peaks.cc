@@ -13,6 +13,8 @@
 namespace cirque {
 namespace {
 
+constexpr double kLeastPeak = 0.1;  ///< of the last peak that the budget would take anyway
+
 /// The most curved vertices, in the order of being far from one another.
 std::vector<Index> SpreadPeaks(const ConeProblem& problem, int count) {
   std::vector<Index> peaks = problem.candidates();
@@ -21,6 +23,9 @@ std::vector<Index> SpreadPeaks(const ConeProblem& problem, int count) {
   });
   const std::size_t kept = std::max<std::size_t>(peaks.size() / 10, std::size_t{8} * count);
   if (peaks.size() > kept) peaks.resize(kept);
+  // On a polyhedron all others are flat.
+  const double least = kLeastPeak * std::abs(problem.curvature()[peaks[count - 1]]);
+  std::erase_if(peaks, [&](Index v) { return std::abs(problem.curvature()[v]) < least; });
   return FarthestVertices(problem.triangulation(), problem.lengths(), peaks, count);
 }
 

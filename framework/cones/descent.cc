@@ -19,7 +19,8 @@ Eigen::VectorXd DistanceFromCones(const ConeProblem& problem, const ConeFit& fit
                                   const Eigen::VectorXd& field) {
   double level = 0;
   if (problem.IsClosed()) {
-    level = 0.5 * (field.maxCoeff() + field.minCoeff());
+    const double total = problem.TotalCurvature();
+    level = total > 0 ? field.maxCoeff() : total < 0 ? field.minCoeff() : 0;
     if (fit.size() > 0) level = field(fit.vertices()).mean();
   }
   return (field.array() - level).abs();

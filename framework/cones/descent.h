@@ -11,8 +11,8 @@
 namespace cirque {
 
 /// How far a field known up to a constant on closed surfaces (u, or ConeFit::Descent) is at each
-/// vertex from its level at the cones so far, 0 with a boundary; before there are cones on a closed
-/// surface, from the middle of its range. V.
+/// vertex from its level at the cones so far, 0 with a boundary. Before there are cones on a closed
+/// surface: from its end that lies away from where curvature of the sign of chi is wanted. V.
 Eigen::VectorXd DistanceFromCones(const ConeProblem& problem, const ConeFit& fit,
                                   const Eigen::VectorXd& field);
 

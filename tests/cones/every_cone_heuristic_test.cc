@@ -38,8 +38,11 @@ class EveryConeHeuristic : public testing::TestWithParam<Case> {
  protected:
   EveryConeHeuristic() : surface_(GeneratedSurface(GetParam().generator, 1200)) {
     options_.cones = GetParam().heuristic;
-    if (options_.cones == "given") WriteGivenCones();
-    if (options_.cones != "none" && options_.cones != "given") options_.cone_budget = kBudget;
+    if (options_.cones == "given") {
+      WriteGivenCones();
+    } else if (options_.cones != "none") {
+      options_.cone_budget = kBudget;
+    }
   }
 
   bool NeedsCones() const {

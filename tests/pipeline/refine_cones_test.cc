@@ -147,17 +147,16 @@ TEST(RepairCones, MovesThenWidensWhereTheProofPoints) {
 }
 
 TEST(RepairCones, InfeasibleConesEndInAMapThatSaysSo) {
-  // Cones of 4.4 pi on vertices of 5 corners are admissible, and beyond what their neighbours
-  // allow.
+  // Of five corners that add up to 4.6 pi each exceeds 0.6 pi: a triangle cannot have two of them.
   const Surface surface = GeneratedSurface("double_torus", 800);
-  const std::vector<Index> corners = CornersPerVertex(surface.triangulation);
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index> corners = CornersPerVertex(t);
   const std::string path = testing::TempDir() + "infeasible.cones";
   std::string text;
-  int found = 0;
-  for (Index v = 0; found < 2 && v < surface.triangulation.num_vertices; ++v) {
-    if (corners[v] != 5) continue;
-    text += fmt::format("{} 4\n", v + 1);
-    ++found;
+  for (Index h = 0; text.empty() && h < t.num_halfedges(); ++h) {
+    if (corners[t.Tail(h)] != 5 || corners[t.Tip(h)] != 5) continue;
+    const Index far = t.vertex[(h + t.num_halfedges() / 2) % t.num_halfedges()];
+    text = fmt::format("{} 4.6\n{} 4.6\n{} 0.8\n", t.Tail(h) + 1, t.Tip(h) + 1, far + 1);
   }
   ASSERT_TRUE(WriteFileAtomically(path, text).ok());
   ParameterizeOptions options;
