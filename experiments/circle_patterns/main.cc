@@ -6,6 +6,7 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include "cirque/cones/registry.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/pipeline/sphere_normalization.h"
@@ -43,6 +44,20 @@ DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of 
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
               "solver of the angle fit");
 DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the log radii");
+DEFINE_string(
+    cones, cirque::ParameterizeOptions().cones,
+    "cone heuristic, NAME or NAME:KEY=VALUE,...; without it a closed surface gets a simple "
+    "set of cones");
+DEFINE_int32(cone_budget, cirque::ParameterizeOptions().cone_budget,
+             "the most cones; -1: as the heuristic has it");
+DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,
+              "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS");
+DEFINE_int32(refine_cones, cirque::ParameterizeOptions().refine_cones,
+             "steps that lower the realised area distortion by the cones' angles");
+DEFINE_string(cut_cost, cirque::ParameterizeOptions().cut_cost,
+              "what the cut is short in: flat_length, length, distortion or curvature");
+DEFINE_string(edge_costs, cirque::ParameterizeOptions().edge_costs,
+              "file of factors on that: 'from to cost' a line");
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
@@ -93,6 +108,10 @@ Status CheckArguments(const std::vector<std::string>& others) {
     return Status::InvalidInput(FLAGS_io.empty() ? "-io IN is missing; see --help"
                                                  : "give one of -io and -ic");
   }
+  if (!FLAGS_cones.empty() && !(FLAGS_iv.empty() && FLAGS_angle_sums.empty())) {
+    return Status::InvalidInput(
+        "give the cones by -cones or by a file (-iv, -angle_sums), not both");
+  }
   if (FLAGS_no && FLAGS_ic.empty()) {
     return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
   }
@@ -134,8 +153,19 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
   job.flip_back = FLAGS_flip_back;
   job.fill_holes = FLAGS_fill_holes;
   job.certificate = FLAGS_certificate;
-  job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy,
-                 FLAGS_layout,        FLAGS_epsilon,   FLAGS_max_iterations};
+  job.options = {.triangulation = FLAGS_triangulation,
+                 .angle_fit = FLAGS_angle_fit,
+                 .angle_strategy = FLAGS_angle_strategy,
+                 .strategy = FLAGS_strategy,
+                 .layout = FLAGS_layout,
+                 .cones = FLAGS_cones,
+                 .cone_budget = FLAGS_cone_budget,
+                 .cone_angles = FLAGS_cone_angles,
+                 .refine_cones = FLAGS_refine_cones,
+                 .cut_cost = FLAGS_cut_cost,
+                 .edge_costs = FLAGS_edge_costs,
+                 .epsilon = FLAGS_epsilon,
+                 .max_iterations = FLAGS_max_iterations};
   return job;
 }
 
@@ -162,7 +192,8 @@ int Main(int argc, char** argv) {
   if (FLAGS_help) {
     std::cout << kUsage << "\n"
               << FlagHelp(kSource) << "\nangle fits: " << Join(AngleObjectives().Names())
-              << "\nsolvers:    " << Join(SolverStrategies().Names()) << "\n";
+              << "\nsolvers:    " << Join(SolverStrategies().Names())
+              << "\ncones:      " << Join(ConeHeuristics().Names()) << "\n";
     return 0;
   }
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);

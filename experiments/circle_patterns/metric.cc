@@ -59,10 +59,12 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
   if (job.layout_only) {
     status = LayOutFlatMetric(t, metric->lengths, given, &map);
   } else {
-    const StatusOr<ConeTargets> targets =
-        PrescribedTargets(job, t, metric->lengths, {t.num_vertices, numbers.vertex});
+    const StatusOr<std::optional<ConeTargets>> targets =
+        PrescribedTargets(job, t, {t.num_vertices, numbers.vertex});
     if (!targets.ok()) return targets.status();
-    status = Parameterize(t, metric->lengths, *targets, given, job.options, control, &map);
+    status = *targets
+                 ? Parameterize(t, metric->lengths, **targets, given, job.options, control, &map)
+                 : ParameterizeWithCones(t, metric->lengths, given, job.options, control, &map);
   }
   if (status.ok()) status = WriteOutputs(job, t, metric->lengths, report, &map);
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {

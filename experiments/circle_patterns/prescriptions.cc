@@ -45,11 +45,15 @@ StatusOr<Cut> CutAlongPaths(std::string_view text, const Triangulation& t,
 
 }  // namespace
 
-StatusOr<ConeTargets> PrescribedTargets(const CirclePatternsJob& job, const Triangulation& t,
-                                        const EdgeLengths& lengths, const FileVertices& vertices) {
-  if (!job.angle_sums.empty()) return ReadAngleSumFile(job.angle_sums, t, vertices);
-  if (!job.cones.empty()) return ReadConeFile(job.cones, t, vertices);
-  return DefaultTargets(t, lengths);
+StatusOr<std::optional<ConeTargets>> PrescribedTargets(const CirclePatternsJob& job,
+                                                       const Triangulation& t,
+                                                       const FileVertices& vertices) {
+  if (job.angle_sums.empty() && job.cones.empty()) return std::optional<ConeTargets>();
+  StatusOr<ConeTargets> targets = job.angle_sums.empty()
+                                      ? ReadConeFile(job.cones, t, vertices)
+                                      : ReadAngleSumFile(job.angle_sums, t, vertices);
+  if (!targets.ok()) return targets.status();
+  return std::optional<ConeTargets>(*std::move(targets));
 }
 
 StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job, const Triangulation& t,

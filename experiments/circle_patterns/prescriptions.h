@@ -12,10 +12,10 @@
 
 namespace cirque {
 
-/// The angle sums that the job's files prescribe, or else the default of the surface.
-StatusOr<ConeTargets> PrescribedTargets(const CirclePatternsJob& job,
-                                        const Triangulation& triangulation,
-                                        const EdgeLengths& lengths, const FileVertices& vertices);
+/// The angle sums that the job's files prescribe; nothing when it names none.
+StatusOr<std::optional<ConeTargets>> PrescribedTargets(const CirclePatternsJob& job,
+                                                       const Triangulation& triangulation,
+                                                       const FileVertices& vertices);
 
 /// The cut of the job's file or paths (shortest in `lengths`); nothing when it names neither.
 StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job,

@@ -52,9 +52,20 @@ std::string Summary(const Certificate& c) {
       value("flipped_triangles"), c.overlap, value("quasi_conformal_mean"),
       value("quasi_conformal_max"));
   if (value("cones") > 0 || value("seams") > 0) {
-    text += fmt::format("cut         {:.0f} cones, {:.0f} seams, rotation {:.1e} rad, gap {:.1e}\n",
-                        value("cones"), value("seams"), value("seam_rotation_mismatch"),
-                        value("seam_gap"));
+    text += fmt::format(
+        "cut         {:.0f} cones, {:.0f} seams, length {:.2f}, rotation {:.1e} rad, gap {:.1e}\n",
+        value("cones"), value("seams"), value("cut_length"), value("seam_rotation_mismatch"),
+        value("seam_gap"));
+  }
+  if (value("cone_repairs") > 0) {
+    text += fmt::format("cones       {:.0f} moved, {:.0f} widened, where they were infeasible\n",
+                        value("cones_moved"), value("cones_widened"));
+  }
+  if (value("refinement_steps") >= 0) {
+    text +=
+        fmt::format("cones       {:.0f} steps of refinement, area distortion {:.4f} to {:.4f}\n",
+                    value("refinement_steps"), value("refinement_area_distortion_before"),
+                    value("refinement_area_distortion_after"));
   }
   return text;
 }
@@ -82,13 +93,15 @@ Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices
                            Parameterization* map) {
   const Triangulation& t = surface.triangulation;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const StatusOr<ConeTargets> targets =
-      PrescribedTargets(job, t, lengths, {num_file_vertices, surface.soup_vertex});
+  const StatusOr<std::optional<ConeTargets>> targets =
+      PrescribedTargets(job, t, {num_file_vertices, surface.soup_vertex});
   if (!targets.ok()) return targets.status();
   const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, lengths, NumbersInFile(surface));
   if (!cut.ok()) return cut.status();
-  const Status status =
-      Parameterize(surface, *targets, *cut ? &**cut : nullptr, job.options, control, map);
+  const Cut* given = *cut ? &**cut : nullptr;
+  const Status status = *targets
+                            ? Parameterize(surface, **targets, given, job.options, control, map)
+                            : ParameterizeWithCones(surface, given, job.options, control, map);
   return status.code() == StatusCode::kInvalidInput ? status.In(job.input) : status;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cirque/angles/registry.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/pipeline/cut_costs.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/run_experiment/scalars.h"
@@ -51,6 +52,32 @@ const std::vector<MethodField>& MethodFields() {
        0,
        0,
        {"directions", "least_squares"}},
+      {"cones", &Options::cones, "the cone heuristic, NAME or NAME:KEY=VALUE,...", 0, 0, {}},
+      {"cone_budget",
+       &Options::cone_budget,
+       "the most cones; -1: the heuristic's own default",
+       -1,
+       1e6,
+       {}},
+      {"cone_angles",
+       &Options::cone_angles,
+       "free, pi/2, pi/3, ranges or ranges:width=RADIANS",
+       0,
+       0,
+       {}},
+      {"refine_cones",
+       &Options::refine_cones,
+       "steps of the refinement of the cones' angles",
+       0,
+       1000,
+       {}},
+      {"cut_cost", &Options::cut_cost, "what the cut is short in", 0, 0, CutCostWords()},
+      {"edge_costs",
+       &Options::edge_costs,
+       "file of factors on that: 'from to cost' a line",
+       0,
+       0,
+       {}},
       {"epsilon", &Options::epsilon, "least corner and intersection angle [rad]", 1e-12, 1, {}},
       {"max_iterations", &Options::max_iterations, "limit of each solve", 1, 1e6, {}},
   };

@@ -17,6 +17,16 @@ StatusOr<PolygonSoup> MakeSoup(const MeshSpec& mesh, const std::string& path) {
   return (*generator)(mesh.generator_options);
 }
 
+Status Parameterize(const Cell& cell, const Surface& surface, Parameterization* result) {
+  const ParameterizeOptions& options = cell.method.options;
+  if (!cell.mesh.known_boundary) {
+    return ParameterizeWithCones(surface, nullptr, options, SolveControl(), result);
+  }
+  const StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
+  if (!targets.ok()) return targets.status();
+  return cirque::Parameterize(surface, *targets, nullptr, options, SolveControl(), result);
+}
+
 Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   auto& seconds = result->certificate.seconds;
   const Timer read_timer;
@@ -33,12 +43,7 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   if (!surface.ok()) return surface.status();
 
   Parameterization parameterization;
-  const StatusOr<ConeTargets> targets = cell.mesh.known_boundary
-                                            ? KnownBoundaryTargets(cell.mesh, *surface)
-                                            : DefaultTargets(*surface);
-  if (!targets.ok()) return targets.status();
-  const Status status = Parameterize(*surface, *targets, nullptr, cell.method.options,
-                                     SolveControl(), &parameterization);
+  const Status status = Parameterize(cell, *surface, &parameterization);
   parameterization.certificate.seconds.merge(seconds);
   result->certificate = std::move(parameterization.certificate);
   if (status.ok() && !cell.measures.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <string>
@@ -87,12 +88,11 @@ class OptionTable {
     if (const auto* real = std::get_if<double T::*>(&field.member)) {
       return SetNumber(field, text, &(target->**real));
     }
-    for (const std::string& word : field.allowed) {
-      if (word == text) target->*std::get<std::string T::*>(field.member) = text;
+    const auto& allowed = field.allowed;
+    if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
+      return Refusal(field, text, "one of " + Join(allowed));
     }
-    if (target->*std::get<std::string T::*>(field.member) != text) {
-      return Refusal(field, text, "one of " + Join(field.allowed));
-    }
+    target->*std::get<std::string T::*>(field.member) = text;
     return Status();
   }
 

@@ -1,6 +1,7 @@
 #include "cirque/mesh/cone_file.h"
 
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -127,6 +128,12 @@ class TargetParser {
 };
 
 }  // namespace
+
+FileVertices VerticesInOrder(Index count) {
+  FileVertices file = {count, std::vector<Index>(count)};
+  std::iota(file.of_vertex.begin(), file.of_vertex.end(), 0);
+  return file;
+}
 
 StatusOr<ConeTargets> ParseConeFile(const std::string& path, std::string_view content,
                                     const Triangulation& t, const FileVertices& vertices) {

@@ -17,6 +17,9 @@ struct FileVertices {
                                  ///< (Surface::soup_vertex)
 };
 
+/// Of a file that names the vertices in order, like a CON file.
+FileVertices VerticesInOrder(Index count);
+
 /// Parses a cone file (L. Kharevych's thesis): a line a cone, `vertex min max` or `vertex angle`,
 /// where the vertex is counted from 1 as in the OBJ file and the angle sum Theta_v lies in [min,
 /// max] times pi. '#' starts a comment. Interior and boundary vertices that the file does not name

@@ -28,6 +28,9 @@ struct Certificate {
   /// - layout: layout_closure (over all edges), flipped_triangles (exact), cones, patches, seams,
   ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch,
   ///   rotation_order (n: the rotations across seams are exact multiples of 2 pi / n; 0: are not)
+  /// - cones: cone_repairs (rounds), cones_moved, cones_widened (RepairCones); refinement_steps,
+  ///   refinement_solves, refinement_area_distortion_before, ..._after (RefineCones); cut_length
+  ///   (on the surface, over the square root of its area)
   /// - measures: quasi_conformal_mean, quasi_conformal_max, log_area_ratio_l2, log_area_ratio_min,
   ///   log_area_ratio_max
   /// - maps to the sphere also: pole (as in the input file, from 0), pole_corners, pole_attempts,

@@ -131,6 +131,7 @@ class Flattening {
          {"angle_dual", fit.kkt.dual},
          {"angle_gap", fit.kkt.RelativeGap()}});
     result_.angles = std::move(fit.angles);
+    result_.multipliers = std::move(fit.multipliers);
     return status;
   }
 

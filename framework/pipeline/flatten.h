@@ -16,6 +16,7 @@ namespace cirque {
 struct FlatSurface {
   IntrinsicTriangulation intrinsic;  ///< where it was solved; without flips: the input itself
   CoherentAngles angles;             ///< of intrinsic
+  Eigen::VectorXd multipliers;       ///< of the angle fit, rows as in AngleConstraints
   LogRadii log_radii;                ///< of intrinsic; the image has the area of the surface
   EdgeLengths intrinsic_lengths;     ///< flat, of intrinsic: with it a CON file
   FlatOnInput on_input;

@@ -12,6 +12,15 @@ struct ParameterizeOptions {
   std::string angle_strategy = "auto";     ///< a name of AngleStrategyNames()
   std::string strategy = "auto";           ///< a name of SolverStrategies(), for the log radii
   std::string layout = "directions";       ///< or "least_squares" (Poisson)
+  /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: no cones with a
+  /// boundary, those of SimpleConeTargets without. For targets that are not given otherwise.
+  std::string cones;
+  int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
+  std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
+  int refine_cones = 0;  ///< steps that lower the realised area distortion by the cones' angles
+  std::string cut_cost =
+      "flat_length";         ///< a word of CutCostWords(): what the cut shall be short in
+  std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve
 };

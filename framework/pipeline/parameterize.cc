@@ -1,5 +1,6 @@
 #include "cirque/pipeline/parameterize.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,9 +15,11 @@
 #include "cirque/layout/poisson_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/simple_cones.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/measure_map.h"
+#include "cirque/pipeline/cut_costs.h"
+#include "cirque/pipeline/refine_cones.h"
+#include "cirque/pipeline/repair_cones.h"
 #include "cirque/pipeline/snap_rotations.h"
 
 namespace cirque {
@@ -24,12 +27,26 @@ namespace {
 
 constexpr double kFlatness = 1e-6;  ///< [rad]: a vertex closer to 2 pi is no cone
 
-/// The given cut, or one through the cones, short in the flat metric.
-StatusOr<Cut> ChooseCut(const Triangulation& t, const FlatOnInput& flat,
-                        const std::vector<Index>& cones, const Cut* given) {
-  if (!given) return CutGraph(t, flat.lengths.value, cones);
-  if (Status s = CheckCut(t, *given, cones); !s.ok()) return s;
-  return *given;
+/// What is parameterized, and how.
+struct Job {
+  const Triangulation& t;
+  const EdgeLengths& lengths;
+  const FileVertices& file;
+  const Cut* cut;  ///< null: a short one is sought
+  const ParameterizeOptions& options;
+  const SolveControl& control;
+};
+
+/// The given cut, or one through the cones, short by the costs that the options name.
+StatusOr<Cut> ChooseCut(const Job& job, const FlatOnInput& flat, const std::vector<Index>& cones) {
+  if (job.cut) {
+    if (Status s = CheckCut(job.t, *job.cut, cones); !s.ok()) return s;
+    return *job.cut;
+  }
+  const StatusOr<Eigen::VectorXd> costs =
+      CutCosts(job.t, job.lengths, flat.lengths, job.options, job.file.of_vertex);
+  if (!costs.ok()) return costs.status();
+  return CutGraph(job.t, *costs, cones);
 }
 
 StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& t,
@@ -66,24 +83,25 @@ void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vect
 
 /// Cuts and lays out, several patches side by side in the unit square; refuses a layout with a
 /// flipped triangle.
-Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* given,
-              const std::string& method, Parameterization* result) {
+Status LayOut(const Job& job, Parameterization* result) {
+  const Triangulation& t = job.t;
   Certificate& certificate = result->certificate;
   const FlatOnInput& flat = result->flat.on_input;
-  const std::vector<Index> cones = ConeVertices(t, targets);
-  StatusOr<Cut> cut = ChooseCut(t, flat, cones, given);
+  const std::vector<Index> cones = ConeVertices(t, result->targets);
+  StatusOr<Cut> cut = ChooseCut(job, flat, cones);
   if (!cut.ok()) return cut.status();
-  StatusOr<PlanarLayout> laid_out = LayOutBy(method, t, flat, *cut);
+  StatusOr<PlanarLayout> laid_out = LayOutBy(job.options.layout, t, flat, *cut);
   if (!laid_out.ok()) return laid_out.status();
   PlanarLayout& layout = *laid_out;
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
-    Arrange(t, targets, cones, flat, *cut, &layout, &certificate);
+    Arrange(t, result->targets, cones, flat, *cut, &layout, &certificate);
     flipped = FlippedFaces(t, layout.uv);
   }
   const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
   certificate.values.merge(
       std::map<std::string, double>{{"cones", static_cast<double>(cones.size())},
+                                    {"cut_length", RelativeCutLength(t, job.lengths, cut->edge)},
                                     {"patches", static_cast<double>(layout.patches.count)},
                                     {"seams", static_cast<double>(seams.seams.size())},
                                     {"seam_length_mismatch", seams.max_length_mismatch},
@@ -120,26 +138,65 @@ void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterizatio
                        "log_area_ratio_min", "log_area_ratio_max"}));
 }
 
-Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
-                        const ConeTargets& targets, const Cut* cut, const std::string& layout,
-                        Parameterization* result) {
+Status LayOutAndMeasure(const Job& job, Parameterization* result) {
   Certificate& certificate = result->certificate;
   const Timer layout_timer;
-  const Status status = LayOut(t, targets, cut, layout, result);
+  const Status status = LayOut(job, result);
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
-  Measure(t, lengths, result);
+  Measure(job.t, job.lengths, result);
   certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
 }
 
-Status Run(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
-           const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
-           Parameterization* result) {
-  const Status status =
-      Flatten(t, lengths, targets, options, control, &result->certificate, &result->flat);
-  return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, options.layout, result) : status;
+Status FlattenAsAsked(const Job& job, Parameterization* result) {
+  return Flatten(job.t, job.lengths, result->targets, job.options, job.control,
+                 &result->certificate, &result->flat);
+}
+
+Status Run(const Job& job, Parameterization* result) {
+  if (job.options.refine_cones > 0) {
+    const Timer timer;
+    const Status status = RefineCones(job.t, job.lengths, job.options, job.control,
+                                      &result->certificate, &result->targets, &result->flat);
+    result->certificate.seconds["refine_cones"] = timer.Seconds();
+    if (!status.ok()) return status;
+  }
+  return LayOutAndMeasure(job, result);
+}
+
+Status RunWithTargets(const Job& job, Parameterization* result) {
+  const Status status = FlattenAsAsked(job, result);
+  return status.ok() ? Run(job, result) : status;
+}
+
+/// Cones that the program chose and that turn out infeasible are changed until they are feasible.
+Status FlattenAndRepair(const Job& job, Parameterization* result) {
+  Status status = FlattenAsAsked(job, result);
+  auto& values = result->certificate.values;
+  for (int round = 1; round <= kMostConeRepairs; ++round) {
+    const InfeasibilityProof proof = result->certificate.infeasibility;
+    if (status.code() != StatusCode::kInfeasible || proof.empty()) break;
+    ConeRepair repair = RepairCones(job.t, result->targets, proof, round);
+    if (repair.moved + repair.widened == 0) continue;
+    values["cone_repairs"] = round;
+    values["cones_moved"] += repair.moved;
+    values["cones_widened"] = repair.widened;
+    result->targets = std::move(repair.targets);
+    status = FlattenAsAsked(job, result);
+  }
+  return status;
+}
+
+Status RunWithCones(const Job& job, Parameterization* result) {
+  const Timer timer;
+  StatusOr<ConeTargets> targets = PlaceCones(job.t, job.lengths, job.file, job.options);
+  result->certificate.seconds["cones"] = timer.Seconds();
+  if (!targets.ok()) return targets.status();
+  result->targets = *std::move(targets);
+  const Status status = FlattenAndRepair(job, result);
+  return status.ok() ? Run(job, result) : status;
 }
 
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
@@ -168,12 +225,13 @@ void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
   for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }
 
-}  // namespace
-
-StatusOr<ConeTargets> DefaultTargets(const Triangulation& t, const EdgeLengths& lengths) {
-  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  return SimpleConeTargets(t, lengths);
+/// Isolated vertices behind the last used one are unknown here, and no cone can lie there.
+FileVertices VerticesInFile(const Surface& surface) {
+  const auto& number = surface.soup_vertex;
+  return {number.empty() ? 0 : *std::max_element(number.begin(), number.end()) + 1, number};
 }
+
+}  // namespace
 
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
   return DefaultTargets(surface.triangulation, MeasureEdgeLengths(surface));
@@ -183,18 +241,48 @@ Status Parameterize(const Triangulation& t, const EdgeLengths& lengths, const Co
                     const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result) {
   *result = Parameterization();
+  result->targets = targets;
   const Timer timer;
-  return Conclude(Run(t, lengths, targets, cut, options, control, result), timer,
+  const FileVertices file = VerticesInOrder(t.num_vertices);
+  return Conclude(RunWithTargets({t, lengths, file, cut, options, control}, result), timer,
                   &result->certificate);
 }
 
 Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
                     const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result) {
-  const Status status = Parameterize(surface.triangulation, MeasureEdgeLengths(surface), targets,
-                                     cut, options, control, result);
+  *result = Parameterization();
+  result->targets = targets;
+  const Timer timer;
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const FileVertices file = VerticesInFile(surface);
+  const Status status =
+      RunWithTargets({surface.triangulation, lengths, file, cut, options, control}, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
-  return status;
+  return Conclude(status, timer, &result->certificate);
+}
+
+Status ParameterizeWithCones(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
+                             const ParameterizeOptions& options, const SolveControl& control,
+                             Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  const FileVertices file = VerticesInOrder(t.num_vertices);
+  return Conclude(RunWithCones({t, lengths, file, cut, options, control}, result), timer,
+                  &result->certificate);
+}
+
+Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
+                             const ParameterizeOptions& options, const SolveControl& control,
+                             Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const FileVertices file = VerticesInFile(surface);
+  const Status status =
+      RunWithCones({surface.triangulation, lengths, file, cut, options, control}, result);
+  NumberAsInFile(surface, &result->certificate.infeasibility);
+  return Conclude(status, timer, &result->certificate);
 }
 
 Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
@@ -205,10 +293,13 @@ Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, cons
   flat.intrinsic = {t, lengths, {}, {}};
   flat.intrinsic_lengths = lengths;
   flat.on_input = {MeasureCornerAngles(t, lengths), lengths, {}};
-  const ConeTargets targets = MeasuredTargets(t, flat.on_input.angles);
+  result->targets = MeasuredTargets(t, flat.on_input.angles);
   result->certificate.values["log_radius_range"] = 0;
-  return Conclude(LayOutAndMeasure(t, lengths, targets, cut, ParameterizeOptions().layout, result),
-                  timer, &result->certificate);
+  const FileVertices file = VerticesInOrder(t.num_vertices);
+  const ParameterizeOptions plain;
+  const SolveControl control;
+  return Conclude(LayOutAndMeasure({t, lengths, file, cut, plain, control}, result), timer,
+                  &result->certificate);
 }
 
 }  // namespace cirque

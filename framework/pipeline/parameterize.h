@@ -8,21 +8,20 @@
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/flatten.h"
 #include "cirque/pipeline/options.h"
+#include "cirque/pipeline/place_cones.h"
 
 namespace cirque {
 
 /// What comes out of every stage.
 struct Parameterization {
+  ConeTargets targets;  ///< what the angle sums were asked to be in the end
   FlatSurface flat;
   Cut cut;                  ///< edges of the surface along which it was opened for the layout
   CornerUv uv;              ///< of the surface's own corners; several at a vertex on the cut
   Certificate certificate;  ///< filled as far as the stages came, whatever the outcome
 };
 
-/// Interior vertices flat and boundary vertices free; on a closed surface the cones of
-/// SimpleConeTargets.
-StatusOr<ConeTargets> DefaultTargets(const Triangulation& triangulation,
-                                     const EdgeLengths& lengths);
+/// DefaultTargets (place_cones.h) of a surface in space.
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
 /// Maps a surface of any topology whose angle sums shall lie in `targets` to the plane: intrinsic
@@ -38,6 +37,15 @@ Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cu
 Status Parameterize(const Triangulation& triangulation, const EdgeLengths& lengths,
                     const ConeTargets& targets, const Cut* cut, const ParameterizeOptions& options,
                     const SolveControl& control, Parameterization* result);
+
+/// The same with the cones that the options name (PlaceCones). Cones that turn out infeasible are
+/// moved and widened where the proof points (RepairCones) before there is no map.
+Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
+                             const ParameterizeOptions& options, const SolveControl& control,
+                             Parameterization* result);
+Status ParameterizeWithCones(const Triangulation& triangulation, const EdgeLengths& lengths,
+                             const Cut* cut, const ParameterizeOptions& options,
+                             const SolveControl& control, Parameterization* result);
 
 /// Cuts and lays out a metric that is flat but for cones already; nothing is solved. Interior
 /// vertices whose angles do not add up to 2 pi (within 1e-6 rad) are its cones.

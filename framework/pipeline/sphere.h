@@ -30,7 +30,8 @@ struct SphereMap {
   Index pole = kNone;                     ///< the vertex that was infinity
   std::vector<Eigen::Vector3d> position;  ///< per vertex of the surface, |x| = 1; empty without map
   Eigen::VectorXd angle_distortion;  ///< per face, its largest change of an angle, chordal [rad]
-  Eigen::VectorXd quasi_conformal;   ///< per face, of its flat triangle to the chordal one; 0 where that has no area
+  Eigen::VectorXd quasi_conformal;   ///< per face, of its flat triangle to the chordal one; 0 where
+                                     ///< that has no area
   Certificate certificate;
 };
 

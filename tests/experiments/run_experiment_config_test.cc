@@ -54,7 +54,9 @@ const std::vector<BadConfig>& BadConfigs() {
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
-       "angle_strategy, strategy, layout, epsilon, max_iterations"},
+       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, cut_cost, "
+       "edge_costs, epsilon, "
+       "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
       {"DuplicateInEntry", Config("{generator: bumpy_terrain, seed: 1, seed: 2}", kMethod),
@@ -155,8 +157,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
                 "/a.obj'; put it there, or skip it with 'optional: true'\n" +
                 "    - file: a.obj\n            ^\n" +  //
                 path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-                "triangulation, angle_fit, angle_strategy, strategy, layout, epsilon, "
-                "max_iterations\n    "
+                "triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
+                "cone_angles, refine_cones, cut_cost, edge_costs, epsilon, max_iterations\n    "
                 "- nam: a\n      "
                 "^\n" +  //
                 path +

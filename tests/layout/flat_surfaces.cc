@@ -43,8 +43,8 @@ class SoupBuilder {
   std::map<Cell, Index> vertex_;
 };
 
-FlatSurface WithLengths(Surface surface, const std::function<double(double, double)>& length) {
-  FlatSurface flat;
+KnownFlatSurface WithLengths(Surface surface, const std::function<double(double, double)>& length) {
+  KnownFlatSurface flat;
   const Triangulation& t = surface.triangulation;
   flat.lengths.value.resize(t.num_edges());
   for (Index e = 0; e < t.num_edges(); ++e) {
@@ -59,7 +59,7 @@ FlatSurface WithLengths(Surface surface, const std::function<double(double, doub
 }
 
 /// A grid whose x, and y if asked for, count modulo n and m.
-FlatSurface PeriodicGrid(int n, int m, bool wrap_y) {
+KnownFlatSurface PeriodicGrid(int n, int m, bool wrap_y) {
   SoupBuilder builder;
   const auto cell = [&](int x, int y) { return Cell{0, x % n, wrap_y ? y % m : y, 0}; };
   for (int x = 0; x < n; ++x) {
@@ -86,7 +86,7 @@ std::vector<Index> MeasuredCones(const Triangulation& t, const CornerAngles& ang
   return cones;
 }
 
-FlatSurface FlatCube(int n) {
+KnownFlatSurface FlatCube(int n) {
   SoupBuilder builder;
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < n; ++i) {
@@ -108,7 +108,7 @@ FlatSurface FlatCube(int n) {
   return WithLengths(builder.Build(), nullptr);
 }
 
-FlatSurface FlatOctahedron(int n) {
+KnownFlatSurface FlatOctahedron(int n) {
   SoupBuilder builder;
   for (int octant = 0; octant < 8; ++octant) {
     const int x = octant & 1 ? -1 : 1, y = octant & 2 ? -1 : 1, z = octant & 4 ? -1 : 1;
@@ -126,7 +126,7 @@ FlatSurface FlatOctahedron(int n) {
   return WithLengths(builder.Build(), nullptr);
 }
 
-FlatSurface FlatPillow(int n, int m) {
+KnownFlatSurface FlatPillow(int n, int m) {
   SoupBuilder builder;
   for (const int sheet : {0, 1}) {
     const auto cell = [&](int x, int y) {
@@ -146,8 +146,8 @@ FlatSurface FlatPillow(int n, int m) {
   return WithLengths(builder.Build(), nullptr);
 }
 
-FlatSurface FlatCylinder(int n, int m) { return PeriodicGrid(n, m, false); }
+KnownFlatSurface FlatCylinder(int n, int m) { return PeriodicGrid(n, m, false); }
 
-FlatSurface FlatTorus(int n, int m) { return PeriodicGrid(n, m, true); }
+KnownFlatSurface FlatTorus(int n, int m) { return PeriodicGrid(n, m, true); }
 
 }  // namespace cirque

@@ -6,7 +6,7 @@
 namespace cirque {
 
 /// A surface with a flat metric of its own (not always the one of its positions) and its cones.
-struct FlatSurface {
+struct KnownFlatSurface {
   Surface surface;
   EdgeLengths lengths;
   CornerAngles angles;
@@ -14,19 +14,19 @@ struct FlatSurface {
 };
 
 /// The surface of the cube [0, n]^3 in unit squares: 8 cones of 3 pi/2.
-FlatSurface FlatCube(int n);
+KnownFlatSurface FlatCube(int n);
 
 /// The surface of the regular octahedron, its sides in n parts: 6 cones of 4 pi/3.
-FlatSurface FlatOctahedron(int n);
+KnownFlatSurface FlatOctahedron(int n);
 
 /// Two rectangles of n by m unit squares, sewn along their boundary: 4 cones of pi.
-FlatSurface FlatPillow(int n, int m);
+KnownFlatSurface FlatPillow(int n, int m);
 
 /// A rectangle of n by m unit squares, left and right side glued: an annulus of girth n, height m.
-FlatSurface FlatCylinder(int n, int m);
+KnownFlatSurface FlatCylinder(int n, int m);
 
 /// The same with top and bottom glued too.
-FlatSurface FlatTorus(int n, int m);
+KnownFlatSurface FlatTorus(int n, int m);
 
 /// The vertices whose angle sum is farther than 1e-6 from 2 pi, if interior.
 std::vector<Index> MeasuredCones(const Triangulation& triangulation, const CornerAngles& angles);

@@ -28,7 +28,7 @@ struct LaidOut {
   SeamReport seams;
 };
 
-LaidOut LayOut(const FlatSurface& flat) {
+LaidOut LayOut(const KnownFlatSurface& flat) {
   const Triangulation& t = flat.surface.triangulation;
   LaidOut result;
   result.cut = *CutGraph(t, flat.lengths.value, flat.cones);
@@ -47,7 +47,7 @@ double SignedArea(const CornerUv& uv) {
 }
 
 /// Every triangle has its own edge lengths in the plane, none is turned over.
-void ExpectIsometric(const FlatSurface& flat, const CornerUv& uv) {
+void ExpectIsometric(const KnownFlatSurface& flat, const CornerUv& uv) {
   const Triangulation& t = flat.surface.triangulation;
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     const double length =
@@ -67,7 +67,7 @@ void ExpectConsistent(const LaidOut& result) {
 }
 
 TEST(PatchLayout, CubeUnfoldsWithQuarterTurns) {
-  const FlatSurface cube = FlatCube(6);
+  const KnownFlatSurface cube = FlatCube(6);
   ASSERT_EQ(cube.cones.size(), 8u);
   LaidOut result = LayOut(cube);
   ExpectConsistent(result);
@@ -80,7 +80,7 @@ TEST(PatchLayout, CubeUnfoldsWithQuarterTurns) {
 }
 
 TEST(PatchLayout, PillowOfFourConesOfPi) {
-  const FlatSurface pillow = FlatPillow(5, 3);
+  const KnownFlatSurface pillow = FlatPillow(5, 3);
   ASSERT_EQ(pillow.cones.size(), 4u);
   const LaidOut result = LayOut(pillow);
   ExpectConsistent(result);
@@ -91,7 +91,7 @@ TEST(PatchLayout, PillowOfFourConesOfPi) {
 }
 
 TEST(PatchLayout, CylinderBecomesARectangleGluedByATranslation) {
-  const FlatSurface cylinder = FlatCylinder(7, 4);
+  const KnownFlatSurface cylinder = FlatCylinder(7, 4);
   const LaidOut result = LayOut(cylinder);
   ExpectConsistent(result);
   ExpectIsometric(cylinder, result.layout.uv);
@@ -105,7 +105,7 @@ TEST(PatchLayout, CylinderBecomesARectangleGluedByATranslation) {
 }
 
 TEST(PatchLayout, TorusGivesItsPeriods) {
-  const FlatSurface torus = FlatTorus(5, 4);
+  const KnownFlatSurface torus = FlatTorus(5, 4);
   ASSERT_TRUE(torus.cones.empty());
   const LaidOut result = LayOut(torus);
   ExpectConsistent(result);
@@ -121,7 +121,7 @@ TEST(PatchLayout, TorusGivesItsPeriods) {
 }
 
 TEST(PatchLayout, TwoPatchesEachInItsOwnFrame) {
-  const FlatSurface cylinder = FlatCylinder(8, 2);
+  const KnownFlatSurface cylinder = FlatCylinder(8, 2);
   const Triangulation& t = cylinder.surface.triangulation;
   Cut cut = {std::vector<bool>(t.num_edges(), false)};
   for (Index e = 0; e < t.num_edges(); ++e) {
@@ -141,7 +141,7 @@ TEST(PatchLayout, TwoPatchesEachInItsOwnFrame) {
 }
 
 TEST(PatchLayout, AWrongLengthIsSeen) {
-  const FlatSurface cylinder = FlatCylinder(7, 4);
+  const KnownFlatSurface cylinder = FlatCylinder(7, 4);
   const Triangulation& t = cylinder.surface.triangulation;
   const Cut cut = *CutGraph(t, cylinder.lengths.value, {});
   int seen_across_the_seam = 0;
@@ -157,7 +157,7 @@ TEST(PatchLayout, AWrongLengthIsSeen) {
 }
 
 TEST(PatchLayout, AWrongConeAngleIsSeen) {
-  FlatSurface cube = FlatCube(4);
+  KnownFlatSurface cube = FlatCube(4);
   const LaidOut good = LayOut(cube);
   const Triangulation& t = cube.surface.triangulation;
   const auto corner = std::find(t.vertex.begin(), t.vertex.end(), cube.cones[0]);
@@ -168,7 +168,7 @@ TEST(PatchLayout, AWrongConeAngleIsSeen) {
 }
 
 /// Angles with errors, as a solver leaves them; triangles keep their sums.
-FlatSurface WithNoise(FlatSurface flat, double noise) {
+KnownFlatSurface WithNoise(KnownFlatSurface flat, double noise) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> error(-noise, noise);
   for (Index f = 0; f < flat.surface.triangulation.num_faces(); ++f) {
@@ -181,7 +181,7 @@ FlatSurface WithNoise(FlatSurface flat, double noise) {
 }
 
 TEST(SnapSeams, QuarterTurnsBecomeExact) {
-  const FlatSurface cube = WithNoise(FlatCube(8), 1e-9);
+  const KnownFlatSurface cube = WithNoise(FlatCube(8), 1e-9);
   const Triangulation& t = cube.surface.triangulation;
   LaidOut result = LayOut(cube);
   EXPECT_GT(result.seams.max_gap, 1e-11);
@@ -201,7 +201,7 @@ TEST(SnapSeams, QuarterTurnsBecomeExact) {
 }
 
 TEST(SnapSeams, SixthTurnsBecomeExact) {
-  const FlatSurface octahedron = WithNoise(FlatOctahedron(7), 1e-9);
+  const KnownFlatSurface octahedron = WithNoise(FlatOctahedron(7), 1e-9);
   ASSERT_EQ(octahedron.cones.size(), 6u);
   const Triangulation& t = octahedron.surface.triangulation;
   const LaidOut result = LayOut(octahedron);
@@ -216,14 +216,14 @@ TEST(SnapSeams, SixthTurnsBecomeExact) {
 }
 
 TEST(SnapSeams, AnAngleThatIsNoMultipleIsNamed) {
-  const FlatSurface cube = FlatCube(3);
+  const KnownFlatSurface cube = FlatCube(3);
   const LaidOut result = LayOut(cube);
   const auto thirds = IntegerRotations(cube.surface.triangulation, result.seams, 3, 1e-6);
   EXPECT_THAT(thirds.status().message(), testing::HasSubstr("no multiple of 2 pi / 3"));
 }
 
 TEST(PoissonLayout, EqualsDirectionsOnExactAngles) {
-  const FlatSurface cube = FlatCube(5);
+  const KnownFlatSurface cube = FlatCube(5);
   const Triangulation& t = cube.surface.triangulation;
   const Cut cut = *CutGraph(t, cube.lengths.value, cube.cones);
   const auto layout = LayOutByLeastSquares(t, cube.angles, cube.lengths, cut);
@@ -233,7 +233,7 @@ TEST(PoissonLayout, EqualsDirectionsOnExactAngles) {
 }
 
 TEST(PoissonLayout, SpreadsErrorsOfAngles) {
-  const FlatSurface cube = WithNoise(FlatCube(8), 1e-6);
+  const KnownFlatSurface cube = WithNoise(FlatCube(8), 1e-6);
   const Triangulation& t = cube.surface.triangulation;
   const Cut cut = *CutGraph(t, cube.lengths.value, cube.cones);
   const double by_tree = LayOutPatches(t, cube.angles, cube.lengths, cut).closure;

@@ -1,4 +1,4 @@
-#include "cirque/mesh/simple_cones.h"
+#include "cirque/cones/simple_cones.h"
 
 #include <algorithm>
 #include <cmath>

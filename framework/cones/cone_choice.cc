@@ -1,0 +1,81 @@
+#include "cirque/cones/cone_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace cirque {
+namespace {
+
+constexpr double kSlack = 1e-9;  ///< [rad]
+
+}  // namespace
+
+ConeChoice::ConeChoice(const ConeProblem& problem, int count)
+    : problem_(&problem),
+      left_(count),
+      chosen_(problem.triangulation().num_vertices, false),
+      by_capacity_(problem.candidates()) {
+  std::stable_sort(by_capacity_.begin(), by_capacity_.end(), [&](Index a, Index b) {
+    return problem.LeastCurvature(a) < problem.LeastCurvature(b);
+  });
+}
+
+bool ConeChoice::CanCarryTotal() const {
+  const double total = problem_->TotalCurvature();
+  const double greatest = left_ * problem_->GreatestCurvature();
+  return !problem_->IsClosed() || (LeastOfOthers(left_, nullptr) <= total + kSlack &&
+                                   (left_ > 0 ? greatest >= total - kSlack : total == 0));
+}
+
+StatusOr<ConeChoice> ConeChoice::Make(const ConeProblem& problem, int count) {
+  const auto most = static_cast<int>(problem.candidates().size());
+  ConeChoice choice(problem, std::min(count, most));
+  if (choice.CanCarryTotal()) return choice;
+  const int asked = choice.left_;
+  while (choice.left_ < most && !choice.CanCarryTotal()) ++choice.left_;
+  return Status::InvalidInput(
+      fmt::format("{} cones cannot carry the curvature {:.6g} pi that Gauss-Bonnet asks for: {}",
+                  asked, problem.TotalCurvature() / kPi,
+                  choice.CanCarryTotal() ? fmt::format("at least {} are needed", choice.left_)
+                                         : "subdivide the surface, or give the cones in a file"));
+}
+
+/// The sum of the `count` least curvatures among the unchosen, and which they are.
+double ConeChoice::LeastOfOthers(int count, std::vector<bool>* among) const {
+  double sum = 0;
+  for (const Index v : by_capacity_) {
+    if (count == 0) break;
+    if (chosen_[v]) continue;
+    sum += problem_->LeastCurvature(v);
+    if (among) (*among)[v] = true;
+    --count;
+  }
+  return sum;
+}
+
+std::optional<Index> ConeChoice::TakeBest(const Eigen::VectorXd& score) {
+  if (left_ == 0) return std::nullopt;
+  const double total = problem_->TotalCurvature();
+  std::vector<bool> among_best(chosen_.size(), false);
+  const double others = LeastOfOthers(left_ - 1, &among_best);
+  const double with_next = LeastOfOthers(left_, nullptr);
+  Index best = kNone;
+  double best_score = -std::numeric_limits<double>::infinity();
+  for (const Index v : problem_->candidates()) {
+    if (chosen_[v] || !(score[v] > best_score)) continue;
+    const double least = among_best[v] ? with_next : problem_->LeastCurvature(v) + others;
+    if (problem_->IsClosed() && chosen_least_ + least > total + kSlack) continue;
+    best = v;
+    best_score = score[v];
+  }
+  if (best == kNone) return std::nullopt;
+  chosen_[best] = true;
+  chosen_least_ += problem_->LeastCurvature(best);
+  --left_;
+  return best;
+}
+
+}  // namespace cirque

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/cones/cone_problem.h"
+#include "cirque/core/status.h"
+
+namespace cirque {
+
+/// Chooses vertices one by one for a given number of cones such that admissible curvatures can
+/// still add up to 2 pi chi at the end: on a surface of high genus few cones must lie at vertices
+/// with many corners.
+class ConeChoice {
+ public:
+  /// Error (invalid input): no `count` cones of this surface can carry its total curvature; the
+  /// message says how many are needed.
+  static StatusOr<ConeChoice> Make(const ConeProblem& problem, int count);
+
+  int left() const { return left_; }
+
+  /// The unchosen vertex of greatest score (V; the first of equals) that keeps the total within
+  /// reach, now chosen; nothing when `left` is 0 or every score left is minus infinity.
+  std::optional<Index> TakeBest(const Eigen::VectorXd& score);
+
+ private:
+  ConeChoice(const ConeProblem& problem, int count);
+  double LeastOfOthers(int count, std::vector<bool>* among) const;
+  bool CanCarryTotal() const;
+
+  const ConeProblem* problem_;
+  int left_;
+  double chosen_least_ = 0;  ///< sum of the least curvatures of the chosen
+  std::vector<bool> chosen_;
+  std::vector<Index> by_capacity_;  ///< candidates by least curvature, increasing
+};
+
+}  // namespace cirque

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/cones/cone.h"
+#include "cirque/cones/cone_problem.h"
+
+namespace cirque {
+
+/// Cones at chosen vertices of a problem and what its linear model says of their curvatures: u =
+/// u_0 + sum_c mu_c g_c, with u_0 the log scale without cones and g_c the response to a unit of
+/// curvature at c. A cone costs one solve with the problem's factor, whatever is done with its
+/// curvature after.
+class ConeFit {
+ public:
+  explicit ConeFit(const ConeProblem& problem);
+
+  int size() const { return static_cast<int>(vertices_.size()); }
+  const std::vector<Index>& vertices() const { return vertices_; }
+  const Eigen::VectorXd& curvature() const { return curvature_; }  ///< of each cone [rad]
+  /// sum_v a_v g_c g_d: the Hessian of 1/2 sum a u^2 by the curvatures.
+  const Eigen::MatrixXd& gram() const { return gram_; }
+
+  /// A cone more, of curvature 0. @pre a candidate of the problem.
+  void Add(Index vertex);
+  /// Puts cone i elsewhere; its curvature stays until it is fitted.
+  void Move(int i, Index vertex);
+  /// Takes the last move back, and the curvatures that it began with.
+  void UndoMove();
+
+  /// The admissible curvatures of least distortion 1/2 sum_v a_v u_v^2. False, and nothing changes,
+  /// when admissible curvatures cannot add up to 2 pi chi on a closed surface.
+  bool FitLeastSquares();
+
+  /// The curvatures that make u one constant at all cones (0 with a boundary): every cone keeps its
+  /// scale, as when a map is made by cutting through the cones (R. Sawhney, K. Crane, "Boundary
+  /// first flattening", 2017). They need not be admissible.
+  void FitZeroAtCones();
+
+  /// u, V.
+  Eigen::VectorXd LogScale() const;
+
+  /// sqrt(sum_v a_v u_v^2), without making u.
+  double Distortion() const;
+
+  /// The derivative of 1/2 sum_v a_v u_v^2 by the curvature of every vertex, up to one constant on
+  /// a closed surface: the factor's answer to the areas times u. Where it differs from its value at
+  /// the cones, a cone would help.
+  Eigen::VectorXd Descent() const;
+
+  std::vector<Cone> Cones() const;
+
+ private:
+  void SetResponse(int i, Index vertex);
+  void SetProducts(int i);
+
+  struct MoveRecord {
+    int cone = 0;
+    Index vertex = kNone;
+    Eigen::VectorXd response, curvature;
+  };
+
+  const ConeProblem& problem_;
+  const Eigen::VectorXd without_cones_;
+  std::vector<Index> vertices_;
+  std::vector<Eigen::VectorXd> response_;
+  Eigen::MatrixXd gram_;    ///< area-weighted products of the responses
+  Eigen::VectorXd linear_;  ///< of the responses with u_0
+  Eigen::VectorXd curvature_;
+  MoveRecord last_move_;
+};
+
+}  // namespace cirque

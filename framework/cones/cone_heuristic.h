@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/cones/cone.h"
+#include "cirque/cones/cone_problem.h"
+#include "cirque/core/option_table.h"
+
+namespace cirque {
+
+/// A way to choose where cones lie and what their angle sums are.
+class ConeHeuristic {
+ public:
+  virtual ~ConeHeuristic() = default;
+
+  /// Cones at candidates of the problem, which with flat other vertices satisfy Gauss-Bonnet and
+  /// whose angles the corners can reach; the same for the same problem. Errors (invalid input):
+  /// what was asked for leaves no such cones; the message says what would.
+  virtual StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const = 0;
+};
+
+/// How many cones. The options of every heuristic that counts begin with these.
+struct ConeBudget {
+  int cones = -1;           ///< the most; -1: 8, or what `target` needs
+  double target = 0;        ///< distortion in the linear model at which to stop; 0: use all cones
+  std::string norm = "l2";  ///< of the log scale u for `target`: "l2" (area-weighted) or "max"
+};
+
+template <class T>
+std::vector<typename OptionTable<T>::Field> BudgetFields() {
+  return {{"cones", &T::cones, -1, 1e6, {}, "the most cones; -1: 8, or what the target needs"},
+          {"target", &T::target, 0, 1e6, {}, "log scale at which to stop; 0: none"},
+          {"norm", &T::norm, 0, 0, {"l2", "max"}, "of the log scale, for the target"}};
+}
+
+/// A heuristic that can place any number of cones: the base finds the least number that meets a
+/// target, by doubling and bisection.
+class BudgetedHeuristic : public ConeHeuristic {
+ public:
+  explicit BudgetedHeuristic(const ConeBudget& budget) : budget_(budget) {}
+
+  /// When even the most cones miss the target, those are returned.
+  StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const final;
+
+ protected:
+  /// At most `count` cones; on a closed surface that needs more, an error.
+  virtual StatusOr<std::vector<Cone>> PlaceAtMost(const ConeProblem& problem, int count) const = 0;
+
+ private:
+  bool MeetsTarget(const ConeProblem& problem, const StatusOr<std::vector<Cone>>& cones) const;
+
+  ConeBudget budget_;
+};
+
+/// u of the linear model for cones at the middle of their intervals, V.
+Eigen::VectorXd PredictedLogScale(const ConeProblem& problem, const std::vector<Cone>& cones);
+
+}  // namespace cirque

@@ -1,0 +1,137 @@
+#include "cirque/cones/cone_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glog/logging.h>
+
+#include "cirque/energy/laplacian_assembler.h"
+#include "cirque/mesh/corner_angles.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kLeastWeight = 1e-8, kGreatestWeight = 1e8;  ///< of an edge
+constexpr double kLeastArea = 1e-6;                           ///< of a vertex, in means
+
+double Cotangent(double angle) { return std::cos(angle) / std::max(std::sin(angle), 1e-12); }
+
+/// A third of each face's area to each of its corners, total 1.
+Eigen::VectorXd VertexAreas(const Triangulation& t, const EdgeLengths& lengths,
+                            const CornerAngles& angles) {
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(t.num_vertices);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index first = h - h % 3;
+    const double face = lengths.value[t.edge[first]] * lengths.value[t.edge[first + 1]] *
+                        std::sin(angles.value[first + 2]);
+    area[t.vertex[h]] += face;
+  }
+  area = area.cwiseMax(kLeastArea * area.mean());
+  return area / area.sum();
+}
+
+Eigen::VectorXd Curvatures(const Triangulation& t, const CornerAngles& angles,
+                           const std::vector<bool>& boundary) {
+  Eigen::VectorXd curvature = Eigen::VectorXd::Constant(t.num_vertices, 2 * kPi);
+  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= angles.value[h];
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (boundary[v]) curvature[v] = 0;
+  }
+  return curvature;
+}
+
+ConeSource Complete(ConeSource source, const Triangulation& t, const EdgeLengths& lengths) {
+  if (!source.triangulation) {
+    source.triangulation = &t;
+    source.lengths = &lengths;
+  }
+  CHECK_EQ(source.triangulation->num_vertices, t.num_vertices);
+  if (source.file.of_vertex.empty()) source.file = VerticesInOrder(t.num_vertices);
+  return source;
+}
+
+std::vector<Index> CommonCorners(const Triangulation& a, const Triangulation& b) {
+  std::vector<Index> corners = CornersPerVertex(a);
+  const std::vector<Index> others = CornersPerVertex(b);
+  for (std::size_t v = 0; v < corners.size(); ++v) corners[v] = std::min(corners[v], others[v]);
+  return corners;
+}
+
+}  // namespace
+
+ConeProblem::ConeProblem(const Triangulation& t, const EdgeLengths& lengths, ConeSource source)
+    : triangulation_(t),
+      lengths_(lengths),
+      source_(Complete(std::move(source), t, lengths)),
+      closed_(BoundaryLoops(t).empty()),
+      total_curvature_(2 * kPi * EulerCharacteristic(t)),
+      corners_(CommonCorners(t, *source_.triangulation)),
+      number_(t.num_vertices, kNone),
+      angles_(MeasureCornerAngles(t, lengths)) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (boundary[v]) continue;
+    number_[v] = static_cast<Index>(candidates_.size());
+    candidates_.push_back(v);
+  }
+  curvature_ = Curvatures(t, angles_, boundary);
+  area_ = VertexAreas(t, lengths, angles_);
+}
+
+ConeProblem::~ConeProblem() = default;
+
+double ConeProblem::LeastCurvature(Index v) const {
+  const double corners = corners_[v];
+  return 2 * kPi - kPi * std::min(corners - 0.5, 0.6 * corners);
+}
+
+SparseMatrix ConeProblem::LowerLaplacian() const {
+  const Triangulation& t = triangulation_;
+  const auto num_unknowns = static_cast<int>(candidates_.size());
+  // The boundary is one more node, whose row is dropped: u = 0 there.
+  LaplacianAssembler assembler(num_unknowns + 1, t.num_edges());
+  for (const Index h : t.edge_halfedge) {
+    double weight = Cotangent(angles_.value[h]);
+    if (t.twin[h] != kNone) weight += Cotangent(angles_.value[t.twin[h]]);
+    const auto node = [&](Index v) { return number_[v] == kNone ? num_unknowns : number_[v]; };
+    assembler.Add(node(t.Tail(h)), node(t.Tip(h)),
+                  std::clamp(0.5 * weight, kLeastWeight, kGreatestWeight));
+  }
+  SparseMatrix lower;
+  assembler.Assemble(&lower);
+  return lower.topLeftCorner(num_unknowns, num_unknowns);
+}
+
+SparseMatrix ConeProblem::Laplacian() const {
+  const SparseMatrix lower = LowerLaplacian();
+  return lower.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::VectorXd ConeProblem::Solve(const Eigen::VectorXd& b) const {
+  const auto num_unknowns = static_cast<Index>(candidates_.size());
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(triangulation_.num_vertices);
+  if (num_unknowns == 0) return u;
+  if (!factor_) {
+    SparseMatrix lower = LowerLaplacian();
+    // The total of a compatible right side is 0, and u_0 then, too, whatever is added here.
+    if (closed_) lower.coeffRef(0, 0) += lower.coeff(0, 0);
+    factor_ = MakeCholesky();
+    CHECK(factor_->Factorize(lower)) << "the Laplacian is not positive definite";
+  }
+  const double total = closed_ ? b.sum() : 0;
+  Eigen::VectorXd right(num_unknowns);
+  for (Index i = 0; i < num_unknowns; ++i) {
+    right[i] = b[candidates_[i]] - total * area_[candidates_[i]];
+  }
+  const Eigen::VectorXd solution = factor_->Solve(right);
+  for (Index i = 0; i < num_unknowns; ++i) u[candidates_[i]] = solution[i];
+  if (closed_) u.array() -= area_.dot(u);
+  return u;
+}
+
+double AreaNorm(const ConeProblem& problem, const Eigen::VectorXd& u) {
+  return std::sqrt(problem.area().dot(u.cwiseAbs2()));
+}
+
+}  // namespace cirque

@@ -1,0 +1,195 @@
+#include "cirque/pipeline/area_distortion.h"
+
+#include <cmath>
+
+#include <glog/logging.h>
+
+#include "cirque/energy/angle_constraints.h"
+#include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/energy/edge_block_assembler.h"
+#include "cirque/math/circle_angle.h"
+#include "cirque/mesh/corner_angles.h"
+#include "cirque/radii/solve_log_radii.h"
+#include "cirque/solver/sparse_cholesky.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kLevel = 1e-9;  ///< added to the dual's Hessian, which can be singular
+
+/// Logarithms of face areas from lengths and angles of the same triangles.
+Eigen::VectorXd LogAreas(const Triangulation& t, const EdgeLengths& lengths) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  Eigen::VectorXd log_area(t.num_faces());
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    log_area[f] = std::log(0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]]) +
+                  std::log(std::sin(angles.value[3 * f + 2]));
+  }
+  return log_area;
+}
+
+Eigen::VectorXd Shares(const Eigen::VectorXd& log_area) {
+  const Eigen::VectorXd area = (log_area.array() - log_area.maxCoeff()).exp();
+  return area / area.sum();
+}
+
+/// Shares of the areas before and after, and the logarithms of their ratios.
+struct AreaRatios {
+  explicit AreaRatios(const FlatSurface& flat) {
+    const Triangulation& t = flat.intrinsic.triangulation;
+    const Eigen::VectorXd log_source = LogAreas(t, flat.intrinsic.lengths);
+    const CornerAngles phi = FlatCornerAngles(t, flat.angles, flat.log_radii);
+    Eigen::VectorXd log_image = 2 * flat.log_radii.value;
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      log_image[Triangulation::Face(h)] += std::log(std::sin(phi.value[h]));
+    }
+    source = Shares(log_source);
+    image = Shares(log_image);
+    log_ratio = log_image - log_source;
+    // Normalised as the areas are.
+    log_ratio.array() += std::log(image[0] / source[0]) - log_ratio[0];
+  }
+
+  double Distortion() const { return 0.5 * source.dot(log_ratio.cwiseAbs2()); }
+
+  /// By the logarithm of each face's flat area.
+  Eigen::VectorXd Gradient() const {
+    const Eigen::VectorXd weighted = source.cwiseProduct(log_ratio);
+    return weighted - weighted.sum() * image;
+  }
+
+  Eigen::VectorXd source, image, log_ratio;
+};
+
+/// dphi_h / dtheta* at fixed d = rho_i - rho_j: (e^-d + cos theta*) / (2 cosh d + 2 cos theta*).
+double ShareOfTheta(double d, double theta_star) {
+  if (d < 0) return 1 - ShareOfTheta(-d, theta_star);
+  const double decay = std::exp(-d), cosine = std::cos(theta_star);
+  return decay * (decay + cosine) / (1 + 2 * decay * cosine + decay * decay);
+}
+
+/// The two adjoint solves.
+class Adjoint {
+ public:
+  Adjoint(const FlatSurface& flat, const ConeTargets& targets, const AngleObjective& objective)
+      : flat_(flat),
+        t_(flat.intrinsic.triangulation),
+        constraints_(t_, targets),
+        objective_(objective),
+        by_phi_(t_.num_halfedges()),
+        by_rho_(t_.num_faces()) {
+    const Eigen::VectorXd by_area = AreaRatios(flat).Gradient();
+    const CornerAngles phi = FlatCornerAngles(t_, flat.angles, flat.log_radii);
+    by_rho_ = 2 * by_area;
+    for (Index h = 0; h < t_.num_halfedges(); ++h) {
+      by_phi_[h] = by_area[Triangulation::Face(h)] / std::tan(phi.value[h]);
+    }
+    for (const Index h : t_.edge_halfedge) {
+      const Index g = t_.twin[h];
+      if (g == kNone) continue;
+      const double change =
+          -0.5 * HalfAngleWeight(LogRatio(h), Angle(h)) * (by_phi_[h] - by_phi_[g]);
+      by_rho_[Triangulation::Face(h)] += change;
+      by_rho_[Triangulation::Face(g)] -= change;
+    }
+  }
+
+  Eigen::VectorXd Run() const {
+    const Eigen::VectorXd z = SolveFit(ByAngles(SolveRadii()));
+    Eigen::VectorXd by_angle_sum = Eigen::VectorXd::Zero(t_.num_vertices);
+    const auto& constrained = constraints_.constrained_vertices();
+    for (std::size_t i = 0; i < constrained.size(); ++i) {
+      by_angle_sum[constrained[i]] = z[t_.num_faces() + static_cast<int>(i)];
+    }
+    return by_angle_sum;
+  }
+
+ private:
+  double LogRatio(Index h) const {
+    const Eigen::VectorXd& rho = flat_.log_radii.value;
+    return rho[Triangulation::Face(h)] - rho[Triangulation::Face(t_.twin[h])];
+  }
+  CircleAngle Angle(Index h) const {
+    return CircleAngle::FromCorners(flat_.angles.value[h], flat_.angles.value[t_.twin[h]]);
+  }
+
+  /// A solution whatever constant the kernel leaves: what is added at `gauge` meets a zero there.
+  static Eigen::VectorXd SolveWithGauge(SparseMatrix lower, int gauge,
+                                        const Eigen::VectorXd& right) {
+    if (gauge >= 0) lower.coeffRef(gauge, gauge) += 1 + lower.coeff(gauge, gauge);
+    const auto factor = MakeCholesky();
+    CHECK(factor->Factorize(lower)) << "adjoint of a converged solve";
+    return factor->Solve(right);
+  }
+
+  Eigen::VectorXd SolveRadii() const {
+    SparseMatrix lower;
+    CirclePatternEnergy(t_, flat_.angles).Hessian(flat_.log_radii.value.data(), &lower);
+    return SolveWithGauge(std::move(lower), 0, by_rho_);
+  }
+
+  /// q, by the coherent angles.
+  Eigen::VectorXd ByAngles(const Eigen::VectorXd& lambda) const {
+    Eigen::VectorXd q(t_.num_halfedges());
+    for (const Index h : t_.edge_halfedge) {
+      const Index g = t_.twin[h];
+      const double of_h = by_phi_[h] + 2 * lambda[Triangulation::Face(h)];
+      q[h] = of_h;
+      if (g == kNone) continue;
+      const double of_g = by_phi_[g] + 2 * lambda[Triangulation::Face(g)];
+      const double share = ShareOfTheta(LogRatio(h), flat_.angles.value[h] + flat_.angles.value[g]);
+      q[h] = q[g] = share * of_h + (1 - share) * of_g;
+    }
+    return q;
+  }
+
+  EdgeConjugate Conjugate(const Eigen::VectorXd& reference, Index h) const {
+    const double* y = flat_.multipliers.data();
+    const Index g = t_.twin[h];
+    const double epsilon = flat_.angles.epsilon, slope = constraints_.Slope(y, h);
+    if (g == kNone) return objective_.BoundaryConjugate(reference[h], epsilon, slope);
+    return objective_.InteriorConjugate(reference[h], reference[g], epsilon, slope,
+                                        constraints_.Slope(y, g));
+  }
+
+  Eigen::VectorXd SolveFit(const Eigen::VectorXd& q) const {
+    CHECK_EQ(flat_.multipliers.size(), constraints_.num_rows());
+    const CornerAngles reference = MeasureCornerAngles(t_, flat_.intrinsic.lengths);
+    EdgeBlockAssembler matrix(constraints_);
+    Eigen::VectorXd moved(t_.num_halfedges());
+    for (const Index h : t_.edge_halfedge) {
+      const Index g = t_.twin[h];
+      const EdgeConjugate c = Conjugate(reference.value, h);
+      matrix.Add(h, h, c.h_ll);
+      moved[h] = c.h_ll * q[h];
+      if (g == kNone) continue;
+      matrix.Add(g, g, c.h_rr);
+      matrix.Add(h, g, c.h_lr);
+      matrix.Add(g, h, c.h_lr);
+      moved[h] += c.h_lr * q[g];
+      moved[g] = c.h_lr * q[h] + c.h_rr * q[g];
+    }
+    for (int row = 0; row < constraints_.num_rows(); ++row) matrix.AddToDiagonal(row, kLevel);
+    SparseMatrix lower;
+    matrix.Assemble(&lower);
+    const int gauge = constraints_.HasGauge() ? constraints_.num_faces() : -1;
+    return SolveWithGauge(std::move(lower), gauge, constraints_.Apply(moved));
+  }
+
+  const FlatSurface& flat_;
+  const Triangulation& t_;
+  const AngleConstraints constraints_;
+  const AngleObjective& objective_;
+  Eigen::VectorXd by_phi_, by_rho_;
+};
+
+}  // namespace
+
+double AreaDistortion(const FlatSurface& flat) { return AreaRatios(flat).Distortion(); }
+
+Eigen::VectorXd AreaDistortionGradient(const FlatSurface& flat, const ConeTargets& targets,
+                                       const AngleObjective& objective) {
+  return Adjoint(flat, targets, objective).Run();
+}
+
+}  // namespace cirque

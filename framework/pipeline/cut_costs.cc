@@ -1,0 +1,77 @@
+#include "cirque/pipeline/cut_costs.h"
+
+#include <cmath>
+
+#include "cirque/core/text.h"
+#include "cirque/cuts/edge_cost_file.h"
+#include "cirque/mesh/corner_angles.h"
+
+namespace cirque {
+namespace {
+
+/// The lengths, cheap where `field` (>= 0, E) is large.
+Eigen::VectorXd Preferring(const Eigen::VectorXd& field, const EdgeLengths& lengths) {
+  const double mean = field.mean();
+  if (!(mean > 0)) return lengths.value;
+  return lengths.value.array() / (1 + field.array() / mean);
+}
+
+Eigen::VectorXd LogStretch(const EdgeLengths& lengths, const EdgeLengths& flat) {
+  const Eigen::ArrayXd u = (flat.value.array() / lengths.value.array()).log();
+  return (u - u.mean()).abs();
+}
+
+Eigen::VectorXd EdgeCurvature(const Triangulation& t, const EdgeLengths& lengths) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  Eigen::VectorXd curvature = Eigen::VectorXd::Constant(t.num_vertices, 2 * kPi);
+  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= angles.value[h];
+  Eigen::VectorXd of_edge(t.num_edges());
+  const auto at = [&](Index v) { return boundary[v] ? 0 : std::abs(curvature[v]); };
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    of_edge[e] = 0.5 * (at(t.Tail(h)) + at(t.Tip(h)));
+  }
+  return of_edge;
+}
+
+StatusOr<Eigen::VectorXd> CostsByWord(const Triangulation& t, const EdgeLengths& lengths,
+                                      const EdgeLengths& flat, const std::string& word) {
+  if (word == "flat_length") return flat.value;
+  if (word == "length") return lengths.value;
+  if (word == "distortion") return Preferring(LogStretch(lengths, flat), lengths);
+  if (word == "curvature") return Preferring(EdgeCurvature(t, lengths), lengths);
+  return Status::InvalidInput(UnknownName("cut_cost", word, CutCostWords()));
+}
+
+}  // namespace
+
+std::vector<std::string> CutCostWords() {
+  return {"flat_length", "length", "distortion", "curvature"};
+}
+
+StatusOr<Eigen::VectorXd> CutCosts(const Triangulation& t, const EdgeLengths& lengths,
+                                   const EdgeLengths& flat, const ParameterizeOptions& options,
+                                   const std::vector<Index>& vertex_in_file) {
+  StatusOr<Eigen::VectorXd> costs = CostsByWord(t, lengths, flat, options.cut_cost);
+  if (!costs.ok() || options.edge_costs.empty()) return costs;
+  const auto factors = ReadEdgeCostFile(options.edge_costs, t, vertex_in_file);
+  if (!factors.ok()) return factors.status();
+  return Eigen::VectorXd(costs->cwiseProduct(*factors));
+}
+
+double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths,
+                         const std::vector<bool>& cut_edge) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  double area = 0, length = 0;
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    area += 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
+            std::sin(angles.value[3 * f + 2]);
+  }
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (cut_edge[e] && !t.IsBoundaryEdge(e)) length += lengths.value[e];
+  }
+  return length / std::sqrt(area);
+}
+
+}  // namespace cirque

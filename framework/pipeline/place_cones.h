@@ -1,0 +1,22 @@
+#pragma once
+
+#include "cirque/core/metric.h"
+#include "cirque/core/status.h"
+#include "cirque/mesh/cone_file.h"
+#include "cirque/pipeline/options.h"
+
+namespace cirque {
+
+/// Interior vertices flat and boundary vertices free; on a closed surface the cones of
+/// SimpleConeTargets.
+StatusOr<ConeTargets> DefaultTargets(const Triangulation& triangulation,
+                                     const EdgeLengths& lengths);
+
+/// The targets that the options' cone heuristic chooses, sought on the metric's intrinsic Delaunay
+/// connectivity, with the angles the options ask for; DefaultTargets when they name no heuristic.
+/// `file`: how a cone file numbers the vertices; empty: in order. Errors (invalid input): an
+/// unknown name or option, cones that Gauss-Bonnet or the corners forbid.
+StatusOr<ConeTargets> PlaceCones(const Triangulation& triangulation, const EdgeLengths& lengths,
+                                 const FileVertices& file, const ParameterizeOptions& options);
+
+}  // namespace cirque
