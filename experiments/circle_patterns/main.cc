@@ -9,6 +9,7 @@
 #include "cirque/energy/angle_objective.h"
 #include "cirque/solver/solver_strategy.h"
 
+#include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/run.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
@@ -36,6 +37,15 @@ DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the l
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
+DEFINE_string(domain, cirque::DomainRequest().name,
+              "shape to map onto: plane, disk, half_plane, rectangle, polygon, triangle");
+DEFINE_string(centre, "", "disk: inner vertex that goes to 0, numbered from 0");
+DEFINE_string(angle_zero, "", "disk: boundary vertex that goes to (1, 0), numbered from 0");
+DEFINE_string(pole, "", "disk, half_plane: boundary vertex that the solve sends to infinity");
+DEFINE_string(normalization, cirque::DomainRequest().normalization,
+              "disk: boundary or area: instead of a vertex, a centre of mass goes to 0");
+DEFINE_string(corners, "", "rectangle, polygon, triangle: boundary vertices, from 0, with commas");
+DEFINE_int32(sides, 0, "polygon: how many corners to choose, where none are given (4)");
 DECLARE_bool(help);
 
 namespace cirque {
@@ -54,23 +64,6 @@ int Conclude(const Status& status) {
   return ExitStatus(status.code());
 }
 
-Status CheckArguments(const std::vector<std::string>& others) {
-  if (!others.empty()) {
-    return Status::InvalidInput("unexpected argument '" + others.front() + "'; see --help");
-  }
-  if (FLAGS_io.empty() == FLAGS_ic.empty()) {
-    return Status::InvalidInput(FLAGS_io.empty() ? "-io IN is missing; see --help"
-                                                 : "give one of -io and -ic");
-  }
-  if (FLAGS_no && FLAGS_ic.empty()) {
-    return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
-  }
-  if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
-    return Status::InvalidInput("-oo OUT is missing; see --help");
-  }
-  return Status();
-}
-
 CirclePatternsJob JobOfFlags() {
   CirclePatternsJob job;
   job.input = FLAGS_io;
@@ -85,7 +78,26 @@ CirclePatternsJob JobOfFlags() {
   job.certificate = FLAGS_certificate;
   job.options = {FLAGS_triangulation, FLAGS_angle_fit, FLAGS_angle_strategy, FLAGS_strategy,
                  FLAGS_layout,        FLAGS_epsilon,   FLAGS_max_iterations};
+  job.domain = {FLAGS_domain,        FLAGS_centre,  FLAGS_angle_zero, FLAGS_pole,
+                FLAGS_normalization, FLAGS_corners, FLAGS_sides};
   return job;
+}
+
+Status CheckArguments(const std::vector<std::string>& others) {
+  if (!others.empty()) {
+    return Status::InvalidInput("unexpected argument '" + others.front() + "'; see --help");
+  }
+  if (FLAGS_io.empty() == FLAGS_ic.empty()) {
+    return Status::InvalidInput(FLAGS_io.empty() ? "-io IN is missing; see --help"
+                                                 : "give one of -io and -ic");
+  }
+  if (FLAGS_no && FLAGS_ic.empty()) {
+    return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
+  }
+  if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
+    return Status::InvalidInput("-oo OUT is missing; see --help");
+  }
+  return CheckDomainFlags(JobOfFlags());
 }
 
 /// The thesis's other way to call the program: all options in one text file.

@@ -8,6 +8,16 @@
 
 namespace cirque {
 
+/// The shape to map onto, as the flags say it: vertices by their numbers in the file, from 0; empty:
+/// chosen.
+struct DomainRequest {
+  std::string name = "plane";
+  std::string centre, angle_zero, pole;
+  std::string normalization = "none";
+  std::string corners;  ///< separated by commas
+  int sides = 0;        ///< 0: as the domain has it
+};
+
 /// What the program was asked to do.
 struct CirclePatternsJob {
   std::string input, output;
@@ -20,6 +30,7 @@ struct CirclePatternsJob {
   bool fill_holes = false;   ///< all boundary loops but the longest, not in the output
   std::string certificate;   ///< where to write it; empty: beside the output
   ParameterizeOptions options;
+  DomainRequest domain;
 };
 
 /// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".

@@ -23,6 +23,10 @@ class LorentzBoost {
   /// The image of the unit vector v.
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const;
 
+  /// y, the point of Poincare's ball that goes to the centre. On the equator, as complex numbers, the
+  /// boost by a vector of the equator's plane is v -> (v - y) / (1 - conj(y) v).
+  const Eigen::Vector3d& poincare_vector() const { return y_; }
+
  private:
   Eigen::Vector3d y_;  ///< x in Poincare's ball: half its hyperbolic distance from the centre
   double one_minus_y2_ = 1.0;  ///< 1 - y.y without cancellation

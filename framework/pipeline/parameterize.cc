@@ -15,8 +15,8 @@
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/simple_cones.h"
-#include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/measure_map.h"
 
 namespace cirque {
 namespace {
@@ -78,20 +78,6 @@ Status LayOut(const Triangulation& t, const ConeTargets& targets, const Cut* giv
   return Status();
 }
 
-void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterization* result) {
-  const Triangulation opened = CutOpen(t, result->cut);
-  Certificate& certificate = result->certificate;
-  certificate.overlap =
-      BoundaryCrossings(opened, result->uv).empty() ? "injective" : "boundary_overlaps";
-  const DistortionSummary d = Summarize(MeasureDistortion(t, lengths, result->uv));
-  certificate.values.merge(
-      std::map<std::string, double>{{"quasi_conformal_mean", d.quasi_conformal_mean},
-                                    {"quasi_conformal_max", d.quasi_conformal_max},
-                                    {"log_area_ratio_l2", d.log_area_ratio_l2},
-                                    {"log_area_ratio_min", d.log_area_ratio_min},
-                                    {"log_area_ratio_max", d.log_area_ratio_max}});
-}
-
 Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
                         const ConeTargets& targets, const Cut* cut, const std::string& layout,
                         Parameterization* result) {
@@ -101,7 +87,7 @@ Status LayOutAndMeasure(const Triangulation& t, const EdgeLengths& lengths,
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
-  Measure(t, lengths, result);
+  MeasureMap(t, lengths, result);
   certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
 }
@@ -112,13 +98,6 @@ Status Run(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets
   const Status status =
       Flatten(t, lengths, targets, options, control, &result->certificate, &result->flat);
   return status.ok() ? LayOutAndMeasure(t, lengths, targets, cut, options.layout, result) : status;
-}
-
-Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
-  certificate->seconds["total"] = timer.Seconds();
-  certificate->outcome = ToString(status.code());
-  certificate->message = status.message();
-  return status;
 }
 
 /// The angle sums of a metric, cones being what differs from flat by more than rounding.
@@ -132,12 +111,6 @@ ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) 
     if (cone) targets.lower[v] = targets.upper[v] = sum[v];
   }
   return targets;
-}
-
-/// Renumbers the proof's vertices as the input file has them.
-void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
-  for (Index& v : proof->constrained_vertex) v = surface.soup_vertex[v];
-  for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }
 
 }  // namespace
