@@ -79,9 +79,9 @@ class FileNumbering {
           fmt::format("--{}: '{}' is no vertex; give its number, from 0", flag, text));
     }
     if (number < 0 || number >= static_cast<Index>(of_file_.size()) || of_file_[number] == kNone) {
-      return Status::InvalidInput(fmt::format(
-          "--{}: no face has vertex {}; the mesh has vertices 0 to {}", flag, number,
-          static_cast<Index>(of_file_.size()) - 1));
+      return Status::InvalidInput(
+          fmt::format("--{}: no face has vertex {}; the mesh has vertices 0 to {}", flag, number,
+                      static_cast<Index>(of_file_.size()) - 1));
     }
     *vertex = of_file_[number];
     return Status();
@@ -133,11 +133,11 @@ Status CheckDomainFlags(const CirclePatternsJob& job) {
     return Status::InvalidInput(UnknownName("domain", name, DomainNames()));
   }
   for (const auto& [flag, given] : GivenFlags(job)) {
-    const bool reads = std::find(domain->flags.begin(), domain->flags.end(), flag) !=
-                       domain->flags.end();
+    const bool reads =
+        std::find(domain->flags.begin(), domain->flags.end(), flag) != domain->flags.end();
     if (!given || reads) continue;
-    return Status::InvalidInput(fmt::format("--domain={} takes no --{}; it takes {}", name, flag,
-                                            Join(domain->flags)));
+    return Status::InvalidInput(
+        fmt::format("--domain={} takes no --{}; it takes {}", name, flag, Join(domain->flags)));
   }
   const bool by_file = !job.cones.empty() || !job.angle_sums.empty();
   if (name == "polygon" && by_file && (!job.domain.corners.empty() || job.domain.sides != 0)) {
@@ -155,19 +155,16 @@ Status CheckDomainFlags(const CirclePatternsJob& job) {
 
 Status MapToDomain(const CirclePatternsJob& job, Index num_file_vertices, const Surface& surface,
                    const SolveControl& control, Parameterization* map) {
-  const auto options =
-      OptionsOf(job.domain, FileNumbering(surface, num_file_vertices));
+  const auto options = OptionsOf(job.domain, FileNumbering(surface, num_file_vertices));
   if (!options.ok()) return options.status();
   if (!job.cones.empty() || !job.angle_sums.empty()) {
-    const auto targets =
-        PrescribedTargets(job, surface.triangulation, MeasureEdgeLengths(surface),
-                          {num_file_vertices, surface.soup_vertex});
+    const auto targets = PrescribedTargets(job, surface.triangulation, MeasureEdgeLengths(surface),
+                                           {num_file_vertices, surface.soup_vertex});
     if (!targets.ok()) return targets.status();
     return MapToExteriorAngles(surface, *targets, job.options, control, map);
   }
-  const auto domain = std::find_if(Domains().begin(), Domains().end(), [&](const Domain& d) {
-    return d.name == job.domain.name;
-  });
+  const auto domain = std::find_if(Domains().begin(), Domains().end(),
+                                   [&](const Domain& d) { return d.name == job.domain.name; });
   return domain->map(surface, *options, job.options, control, map);
 }
 

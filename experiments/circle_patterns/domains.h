@@ -16,8 +16,8 @@ std::vector<std::string> DomainNames();
 /// Refuses an unknown domain, and flags that the domain asked for does not read.
 Status CheckDomainFlags(const CirclePatternsJob& job);
 
-/// Maps the surface to the domain asked for, anything but the plane. Vertices that the job names are
-/// those of a mesh file with `num_file_vertices` vertices, from 0.
+/// Maps the surface to the domain asked for, anything but the plane. Vertices that the job names
+/// are those of a mesh file with `num_file_vertices` vertices, from 0.
 Status MapToDomain(const CirclePatternsJob& job, Index num_file_vertices, const Surface& surface,
                    const SolveControl& control, Parameterization* map);
 

@@ -8,8 +8,8 @@
 
 namespace cirque {
 
-/// The shape to map onto, as the flags say it: vertices by their numbers in the file, from 0; empty:
-/// chosen.
+/// The shape to map onto, as the flags say it: vertices by their numbers in the file, from 0;
+/// empty: chosen.
 struct DomainRequest {
   std::string name = "plane";
   std::string centre, angle_zero, pole;

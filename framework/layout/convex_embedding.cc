@@ -49,9 +49,10 @@ Status EmbedConvexly(const Triangulation& t, const Eigen::VectorXd& edge_weights
   lower.setFromTriplets(entries.begin(), entries.end());
   const auto cholesky = MakeCholesky();
   if (!cholesky->Factorize(lower)) {
-    return Status(StatusCode::kNotConverged,
-                  "the convex embedding's matrix is singular to rounding; a vertex is joined to the "
-                  "boundary by nothing but edges of extreme lengths");
+    return Status(
+        StatusCode::kNotConverged,
+        "the convex embedding's matrix is singular to rounding; a vertex is joined to the "
+        "boundary by nothing but edges of extreme lengths");
   }
   for (int k = 0; k < 2; ++k) {
     const Eigen::VectorXd x = cholesky->Solve(right_side.col(k));

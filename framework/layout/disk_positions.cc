@@ -53,16 +53,6 @@ double CentreOfMass(const std::vector<Complex>& points, const std::vector<double
   return std::abs(sum) / total;
 }
 
-std::vector<double> IncreasingAngles(const std::vector<Complex>& points) {
-  constexpr double kRounding = 1e-9;  // a step back by less is none
-  std::vector<double> angles = {0};
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const double step = std::arg(points[k] * std::conj(points[k - 1]));
-    angles.push_back(angles.back() + (step < -kRounding ? step + 2 * kPi : std::max(step, 0.0)));
-  }
-  return angles;
-}
-
 void FillAngles(const std::vector<double>& arc, std::vector<double>* angles) {
   std::size_t before = 0;
   for (std::size_t k = 1; k <= arc.size(); ++k) {

@@ -40,7 +40,7 @@ ExtendedComplex ToPoint(Complex p, Complex q) {
   if (q == Complex(0)) return ExtendedComplex::Infinity();
   const Complex z = p / q;
   return std::isfinite(z.real()) && std::isfinite(z.imag()) ? ExtendedComplex(z)
-                                                             : ExtendedComplex::Infinity();
+                                                            : ExtendedComplex::Infinity();
 }
 
 /// z - w up to the points' own factors; of finite points their exact difference decides.

@@ -23,15 +23,16 @@ struct ExtendedComplex {
   }
 };
 
-/// The Moebius map z -> (a z + b) / (c z + d), a d - b c != 0, of the extended complex plane. Infinity
-/// is a point like any other: points are homogeneous pairs inside, so nothing overflows on the way.
+/// The Moebius map z -> (a z + b) / (c z + d), a d - b c != 0, of the extended complex plane.
+/// Infinity is a point like any other: points are homogeneous pairs inside, so nothing overflows on
+/// the way.
 class Moebius {
  public:
   /// The identity.
   Moebius() = default;
 
-  /// Coefficients are scaled by a common power of two to order 1. Anything singular or not finite is
-  /// a broken caller.
+  /// Coefficients are scaled by a common power of two to order 1. Anything singular or not finite
+  /// is a broken caller.
   Moebius(Complex a, Complex b, Complex c, Complex d);
 
   /// The map that takes from[i] to to[i]; nothing where two of `from`, or two of `to`, coincide.
@@ -65,8 +66,8 @@ class Moebius {
   std::array<Complex, 4> m_ = {1, 0, 0, 1};
 };
 
-/// (p - r)(q - s) / ((q - r)(p - s)), which Moebius maps keep; infinite where q = r or p = s. Of the
-/// four points no three may coincide.
+/// (p - r)(q - s) / ((q - r)(p - s)), which Moebius maps keep; infinite where q = r or p = s. Of
+/// the four points no three may coincide.
 ExtendedComplex CrossRatio(const ExtendedComplex& p, const ExtendedComplex& q,
                            const ExtendedComplex& r, const ExtendedComplex& s);
 

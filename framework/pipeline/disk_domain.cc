@@ -1,11 +1,13 @@
 // Maps of topological disks to the unit disk and to the half-plane (domain.h says how).
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/metrics/distortion.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/disk_placement.h"
 #include "cirque/pipeline/domain.h"
@@ -16,7 +18,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxDoublings = 60;  ///< of the pole's height
-constexpr double kSpreads[] = {1e-8, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
+constexpr double kSpreads[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
 
 Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
   const std::vector<std::string> known = {"none", "boundary", "area"};
@@ -32,24 +34,26 @@ Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
         "vertex {} (0-based) lies on the boundary and cannot be the centre", domain.centre));
   }
   if (domain.angle_zero != kNone && !boundary[domain.angle_zero]) {
-    return Status::InvalidInput(fmt::format(
-        "vertex {} (0-based) is no boundary vertex and cannot lie at angle zero",
-        domain.angle_zero));
+    return Status::InvalidInput(
+        fmt::format("vertex {} (0-based) is no boundary vertex and cannot lie at angle zero",
+                    domain.angle_zero));
   }
   return Status();
 }
 
 Status Unrepresentable(const std::string& what) {
-  return Status(StatusCode::kUnrepresentable,
-                "the map exists but " + what + " of double coordinates do not tell its vertices "
-                "apart; a rectangle or the plane may hold it");
+  return Status(StatusCode::kUnrepresentable, "the map exists but " + what +
+                                                  " of double coordinates do not tell its vertices "
+                                                  "apart; a rectangle or the plane may hold it");
 }
 
 void Put(const std::map<std::string, double>& values, Certificate* certificate) {
   for (const auto& [name, value] : values) certificate->values[name] = value;
 }
 
-double FileNumber(const Surface& surface, Index v) { return v == kNone ? -1 : surface.soup_vertex[v]; }
+double FileNumber(const Surface& surface, Index v) {
+  return v == kNone ? -1 : surface.soup_vertex[v];
+}
 
 void Certify(const Surface& surface, const HalfPlaneChart& chart, const DiskPlacement& disk,
              double spread, Certificate* certificate) {
@@ -83,6 +87,21 @@ void Deliver(const Surface& surface, CornerUv uv, Parameterization* result) {
   result->certificate.seconds["measures"] = timer.Seconds();
 }
 
+/// The share of spreading that distorts least among those that flip no triangle: the area-weighted
+/// mean of log(quasi-conformal distortion).
+double SpreadBest(const Surface& surface, const HalfPlaneChart& chart, DiskPlacement* disk) {
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  double best = 1, least = std::numeric_limits<double>::infinity();
+  for (const double share : kSpreads) {
+    if (!disk->Spread(chart, share).empty()) continue;
+    const FaceDistortion d = MeasureDistortion(surface.triangulation, lengths, disk->Uv());
+    const double mean = d.area.dot(d.quasi_conformal.array().log().matrix());
+    if (mean < least) best = share;
+    least = std::min(least, mean);
+  }
+  return best;
+}
+
 Status RunDisk(const Surface& surface, const DomainOptions& domain,
                const ParameterizeOptions& options, const SolveControl& control,
                Parameterization* result) {
@@ -97,13 +116,9 @@ Status RunDisk(const Surface& surface, const DomainOptions& domain,
       [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &result->certificate, &chart,
       &clean);
   if (!status.ok()) return status;
-  double spread = 0;
-  for (const double share : kSpreads) {
-    if (clean) break;
-    spread = share;
-    clean = disk.Spread(chart, share).empty();
-  }
-  if (!clean) return Unrepresentable("points of the unit disk");
+  const double spread = clean ? 0 : SpreadBest(surface, chart, &disk);
+  if (!clean && !disk.Spread(chart, spread).empty())
+    return Unrepresentable("points of the unit disk");
   Certify(surface, chart, disk, spread, &result->certificate);
   Deliver(surface, disk.Uv(), result);
   return Status();
@@ -138,10 +153,11 @@ Status RunHalfPlane(const Surface& surface, const DomainOptions& domain,
   const std::vector<bool> core = LargestChordlessPiece(t);
   const auto overhang = std::count(core.begin(), core.end(), false);
   if (overhang > 0 || t.num_faces() == 1) {
-    return Status::InvalidInput(fmt::format(
-        "{} faces lie beyond edges that join two boundary vertices, face {} (0-based) among them: a "
-        "straight boundary leaves them no area; split those edges, or map to the disk",
-        overhang, std::find(core.begin(), core.end(), false) - core.begin()));
+    return Status::InvalidInput(
+        fmt::format("{} faces lie beyond edges that join two boundary vertices, face {} (0-based) "
+                    "among them: a "
+                    "straight boundary leaves them no area; split those edges, or map to the disk",
+                    overhang, std::find(core.begin(), core.end(), false) - core.begin()));
   }
   HalfPlaneChart chart;
   CornerUv uv;

@@ -16,7 +16,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxRecentrings = 60;
-constexpr double kCentred = 1e-15;
+constexpr double kCentred = 1e-14;     ///< then the centre moves to 0
 constexpr double kTinyShare = 1e-300;  ///< of a vertex without area: weights must be positive
 
 std::vector<double> AreaShares(const Surface& surface) {
@@ -159,16 +159,43 @@ std::vector<Index> DiskPlacement::Place(const HalfPlaneChart& chart) {
   return Embed(fixed) ? Finish() : AllFaces();
 }
 
-std::vector<Index> DiskPlacement::Spread(const HalfPlaneChart& chart, double share) {
-  if (!chart.disk.rest.face.empty()) Place(chart);
-  chart_ = chart;
-  const std::vector<Index>& loop = chart_.disk.loop;
-  std::vector<double> angles(loop.size(), 0);
-  if (share < 1) {
-    std::vector<Complex> on_circle;
-    for (const Index v : loop) on_circle.push_back(position_[v]);
-    angles = IncreasingAngles(on_circle);
+/// Angles of the boundary loop seen from a point above its middle, from the chain's lengths alone:
+/// coordinates might not tell its vertices apart.
+std::vector<double> DiskPlacement::AnglesFromLengths() const {
+  const PuncturedDisk& disk = chart_.disk;
+  std::vector<double> angles(disk.loop.size(), kUnset);
+  angles[0] = 0;
+  if (disk.rest.face.empty()) return disk.arc;  // spread wholly
+  std::vector<double> arc_of(t_.num_vertices, 0);
+  for (std::size_t k = 0; k < disk.loop.size(); ++k) arc_of[disk.loop[k]] = disk.arc[k];
+  const auto arc_at = [&](Index v) { return arc_of[disk.rest.vertex[v]]; };
+  const auto middle = static_cast<std::size_t>(
+      std::lower_bound(disk.chain.begin(), disk.chain.end() - 1, 0.5,
+                       [&](Index v, double half) { return arc_at(v) < half; }) -
+      disk.chain.begin());
+  std::vector<double> x(disk.chain.size(), 0);
+  for (std::size_t k = middle + 1; k < x.size(); ++k) x[k] = x[k - 1] + chart_.chain_length[k - 1];
+  for (std::size_t k = middle; k-- > 0;) x[k] = x[k + 1] - chart_.chain_length[k];
+  std::vector<std::pair<double, double>> distances;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (k != middle)
+      distances.emplace_back(std::abs(x[k]), length_[disk.rest.vertex[disk.chain[k]]]);
   }
+  const double height = WeightedMedian(std::move(distances));
+  std::vector<double> angle_of(t_.num_vertices, kUnset);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    angle_of[disk.rest.vertex[disk.chain[k]]] = 2 * (kPi - std::atan2(height, x[k]));
+  }
+  for (std::size_t k = 1; k < angles.size(); ++k) angles[k] = angle_of[disk.loop[k]];
+  FillAngles(disk.arc, &angles);
+  return angles;
+}
+
+std::vector<Index> DiskPlacement::Spread(const HalfPlaneChart& chart, double share) {
+  chart_ = chart;
+  centre_ = domain_.centre;
+  const std::vector<Index>& loop = chart_.disk.loop;
+  const std::vector<double> angles = AnglesFromLengths();
   position_.assign(t_.num_vertices, 0);
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const double angle = (1 - share) * angles[k] + share * 2 * kPi * chart_.disk.arc[k];
@@ -177,7 +204,8 @@ std::vector<Index> DiskPlacement::Spread(const HalfPlaneChart& chart, double sha
   return RecentreAndEmbed() ? Finish() : AllFaces();
 }
 
-/// Embeds the interior convexly, moving the boundary by disk automorphisms until the centre is at 0.
+/// Embeds the interior convexly, moving the boundary by disk automorphisms until the centre is at
+/// 0.
 bool DiskPlacement::RecentreAndEmbed() {
   for (int i = 0; i < kMaxRecentrings; ++i) {
     if (!Embed(on_boundary_)) return false;
@@ -203,7 +231,7 @@ std::vector<Index> DiskPlacement::Finish() {
   for (Complex& w : position_) w *= turn;
   for (const Index v : chart_.disk.loop) position_[v] = OnCircle(position_[v]);
   position_[angle_zero_] = 1;
-  if (centre_ != kNone && std::abs(position_[centre_]) < 1e-12) position_[centre_] = 0;
+  if (centre_ != kNone && std::abs(position_[centre_]) <= kCentred) position_[centre_] = 0;
   for (const Complex w : position_) {
     if (!std::isfinite(w.real()) || !std::isfinite(w.imag())) return AllFaces();
   }

@@ -18,8 +18,9 @@ class DiskPlacement {
   /// By the Moebius map that the options ask for; returns the flipped faces.
   std::vector<Index> Place(const HalfPlaneChart& chart);
 
-  /// From the last chart, with the boundary spread out by a share in (0, 1] and everything inside
-  /// embedded convexly; a vertex is the centre then, whatever the options ask for.
+  /// From the chart's boundary lengths alone, with the boundary spread out by a share in (0, 1] and
+  /// everything inside embedded convexly; a vertex is the centre then, whatever the options ask
+  /// for.
   std::vector<Index> Spread(const HalfPlaneChart& chart, double share);
 
   const std::vector<Complex>& position() const { return position_; }
@@ -37,6 +38,7 @@ class DiskPlacement {
   Complex ChooseCentre(Complex start);
   WeightedPoints PointsOf(const std::string& normalization) const;
   Index NearestToCentre(Complex c) const;
+  std::vector<double> AnglesFromLengths() const;
   bool Embed(const std::vector<bool>& fixed);
   bool RecentreAndEmbed();
   std::vector<Index> Finish();

@@ -26,12 +26,12 @@ struct DomainOptions {
   int sides = 4;  ///< polygon without corners given: how many
 };
 
-/// Conformal map of a topological disk to the unit disk: the star of a boundary vertex, the pole, is
-/// taken off; the rest is solved with a straight boundary (angle sums pi; its ends, the pole's
+/// Conformal map of a topological disk to the unit disk: the star of a boundary vertex, the pole,
+/// is taken off; the rest is solved with a straight boundary (angle sums pi; its ends, the pole's
 /// neighbours, at most pi / 2, and the pole's inner neighbours at most pi, so that the faces at the
-/// pole are Delaunay in the surface and its mirror image); a Moebius map takes the half-plane to the
-/// disk, infinity being where the pole goes. Boundary vertices lie on the unit circle to rounding,
-/// the centre exactly at 0, the vertex of angle zero exactly at (1, 0).
+/// pole are Delaunay in the surface and its mirror image); a Moebius map takes the half-plane to
+/// the disk, infinity being where the pole goes. Boundary vertices lie on the unit circle to
+/// rounding, the centre exactly at 0, the vertex of angle zero exactly at (1, 0).
 ///
 /// Without a centre given it is the inner vertex nearest to where `normalization` "area" would put
 /// 0. "boundary": the boundary vertices, weighted by boundary length of the surface, have their
@@ -43,9 +43,9 @@ struct DomainOptions {
 /// vertices to means of their neighbours. Input triangles that come out flipped get their edges
 /// locked, then the input's connectivity is tried. Where even so the disk's coordinates do not tell
 /// vertices apart (a corridor of length l and width w has an image of about e^{-pi l / w}), the
-/// boundary is spread out by as little as helps, towards its arc length, and the interior follows as
-/// a convex embedding, which is never flipped: certificate value boundary_spread in (0, 1], 0 for a
-/// conformal map.
+/// boundary is spread out by as little as helps, towards its arc length, and the interior follows
+/// as a convex embedding, which is never flipped: certificate value boundary_spread in (0, 1], 0
+/// for a conformal map.
 ///
 /// Certificate: those of Flatten for the part that was solved; pole_vertex, centre_vertex and
 /// angle_zero_vertex as the input file numbers them from 0; overhanging_faces, boundary_spread,
@@ -57,10 +57,10 @@ Status MapToDisk(const Surface& surface, const DomainOptions& domain,
                  const ParameterizeOptions& options, const SolveControl& control,
                  Parameterization* result);
 
-/// The same solve, in the upper half-plane: the boundary on the real axis from 0 to 1, the pole, which
-/// belongs at infinity, at a finite point high above (0.5 + i pole_height) from which its faces
-/// are not flipped. Errors as above; also kInvalidInput for faces beyond an edge that joins two
-/// boundary vertices.
+/// The same solve, in the upper half-plane: the boundary on the real axis from 0 to 1, the pole,
+/// which belongs at infinity, at a finite point high above (0.5 + i pole_height) from which its
+/// faces are not flipped. Errors as above; also kInvalidInput for faces beyond an edge that joins
+/// two boundary vertices.
 Status MapToHalfPlane(const Surface& surface, const DomainOptions& domain,
                       const ParameterizeOptions& options, const SolveControl& control,
                       Parameterization* result);
@@ -74,9 +74,9 @@ Status MapToRectangle(const Surface& surface, const DomainOptions& domain,
 
 /// Map to a polygon of equal angles, the first side from (0, 0) to (1, 0). Corners, where none are
 /// given, are what a map to the unit disk brings nearest to the corners of a regular polygon of
-/// `sides` sides, so that the sides come out nearly equal (certificate: shortest_side, longest_side);
-/// a boundary vertex with one triangle must be a corner and is taken first. Certificate:
-/// corner_vertex_0, ... as the input file numbers them.
+/// `sides` sides, so that the sides come out nearly equal (certificate: shortest_side,
+/// longest_side); a boundary vertex with one triangle must be a corner and is taken first.
+/// Certificate: corner_vertex_0, ... as the input file numbers them.
 Status MapToPolygon(const Surface& surface, const DomainOptions& domain,
                     const ParameterizeOptions& options, const SolveControl& control,
                     Parameterization* result);

@@ -31,7 +31,6 @@ struct FlatSurface {
 /// `locked`, per edge of the input, are locked from the first round on; empty: none.
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,
-               Certificate* certificate, FlatSurface* result,
-               const std::vector<bool>& locked = {});
+               Certificate* certificate, FlatSurface* result, const std::vector<bool>& locked = {});
 
 }  // namespace cirque

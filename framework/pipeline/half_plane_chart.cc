@@ -91,8 +91,7 @@ PuncturedDisk TakeOffStar(const Triangulation& t, const EdgeLengths& lengths,
 std::vector<Index> RankPoles(const Triangulation& t, const EdgeLengths& lengths,
                              const std::vector<bool>& core) {
   const SubTriangulation part = KeepFaces(t, core);
-  const CornerAngles angles =
-      MeasureCornerAngles(part.triangulation, LengthsOf(part, t, lengths));
+  const CornerAngles angles = MeasureCornerAngles(part.triangulation, LengthsOf(part, t, lengths));
   std::vector<double> bend(part.triangulation.num_vertices, -kPi);
   for (Index h = 0; h < part.triangulation.num_halfedges(); ++h) {
     bend[part.triangulation.vertex[h]] += angles.value[h];
@@ -107,6 +106,18 @@ std::vector<Index> RankPoles(const Triangulation& t, const EdgeLengths& lengths,
   std::vector<Index> poles;
   for (const auto& [unused, v] : ranked) poles.push_back(v);
   return poles;
+}
+
+/// Lengths of the edges along a chain of boundary vertices.
+std::vector<double> ChainLengths(const Triangulation& t, const EdgeLengths& lengths,
+                                 const std::vector<Index>& chain) {
+  std::vector<double> from(t.num_vertices, 0);  // of the boundary edge that leaves a vertex
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    if (t.twin[h] == kNone) from[t.Tail(h)] = lengths.value[t.edge[h]];
+  }
+  std::vector<double> along;
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) along.push_back(from[chain[k]]);
+  return along;
 }
 
 class ChartSolve {
@@ -127,12 +138,14 @@ class ChartSolve {
     const std::vector<Index> ranked = RankPoles(t_, lengths_, core);
     std::vector<Index> poles = {pole};
     if (pole == kNone) {
-      poles.assign(ranked.begin(), ranked.begin() + std::min<std::size_t>(kMaxPoles, ranked.size()));
+      poles.assign(ranked.begin(),
+                   ranked.begin() + std::min<std::size_t>(kMaxPoles, ranked.size()));
     } else if (std::find(ranked.begin(), ranked.end(), pole) == ranked.end()) {
-      return Status::InvalidInput(fmt::format(
-          "vertex {} (0-based) cannot be the pole: it is no boundary vertex, or lies beyond an edge "
-          "that joins two boundary vertices; name another, or none",
-          pole));
+      return Status::InvalidInput(
+          fmt::format("vertex {} (0-based) cannot be the pole: it is no boundary vertex, or lies "
+                      "beyond an edge "
+                      "that joins two boundary vertices; name another, or none",
+                      pole));
     }
     Status status;
     for (const Index candidate : poles) {
@@ -184,13 +197,14 @@ class ChartSolve {
     const PuncturedDisk& disk = chart_.disk;
     const Triangulation& t = disk.rest.triangulation;
     FlatSurface flat;
-    Status status = Flatten(t, disk.lengths, disk.targets, options, control_, &certificate_, &flat,
-                            locked);
+    Status status =
+        Flatten(t, disk.lengths, disk.targets, options, control_, &certificate_, &flat, locked);
     certificate_.infeasibility = {};  // it would speak of the rest, not of the surface
     if (!status.ok()) return status;
     const PlanarLayout layout = LayOutByDirections(t, flat.on_input.angles, flat.on_input.lengths);
     certificate_.values["layout_closure"] = layout.closure;
     const HalfPlane moved = MoveToHalfPlane(t, layout.uv, disk.chain);
+    chart_.chain_length = ChainLengths(t, flat.on_input.lengths, disk.chain);
     chart_.straightness = moved.straightness;
     chart_.increasing = moved.increasing;
     chart_.position.assign(t_.num_vertices, 0);

@@ -16,14 +16,15 @@ namespace cirque {
 
 /// A topological disk with the star of a boundary vertex, its pole, taken off.
 struct PuncturedDisk {
-  std::vector<bool> core;   ///< per face of the surface: on the solved side of every chord
-  Index pole = kNone;       ///< vertex of the surface
-  SubTriangulation rest;    ///< the core without the pole's faces; empty when the core is one triangle
-  EdgeLengths lengths;      ///< of rest
-  ConeTargets targets;      ///< of rest
+  std::vector<bool> core;  ///< per face of the surface: on the solved side of every chord
+  Index pole = kNone;      ///< vertex of the surface
+  SubTriangulation
+      rest;             ///< the core without the pole's faces; empty when the core is one triangle
+  EdgeLengths lengths;  ///< of rest
+  ConeTargets targets;  ///< of rest
   std::vector<Index> chain;  ///< vertices of rest along the straight boundary, the surface left
   std::vector<Index> loop;   ///< all boundary vertices of the surface from the pole on, likewise
-  std::vector<double> arc;   ///< per entry of loop the boundary's length up to it, as a share of all
+  std::vector<double> arc;  ///< per entry of loop the boundary's length up to it, as a share of all
 };
 
 /// A conformal map of the disk but for its pole to the upper half-plane.
@@ -32,7 +33,8 @@ struct HalfPlaneChart {
   /// Per vertex of the surface; of the core's boundary real; of the pole and of what the core lacks
   /// without meaning.
   std::vector<Complex> position;
-  double straightness = 0;  ///< HalfPlane
+  std::vector<double> chain_length;  ///< of the edges of disk.chain, however far they range
+  double straightness = 0;           ///< HalfPlane
   bool increasing = true;
 };
 

@@ -38,7 +38,8 @@ Status SortCorners(const std::vector<Index>& loop, std::vector<Index>* corners) 
 
 /// The boundary vertices nearest to the corners of a regular polygon in the unit disk; those with
 /// one triangle, which can be nothing but corners, first.
-std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& in_disk, int sides) {
+std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& in_disk,
+                                        int sides) {
   std::vector<Complex> place(t.num_vertices);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     place[t.vertex[h]] = {in_disk.value[h].x(), in_disk.value[h].y()};
@@ -49,7 +50,8 @@ std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& 
                [&](Index v) { return triangles[v] == 1; });
   std::vector<Complex> wanted;
   for (int k = 0; k < sides; ++k) {
-    wanted.push_back(std::polar(1.0, 2 * kPi * k / sides) * place[ears.empty() ? loop[0] : ears[0]]);
+    wanted.push_back(std::polar(1.0, 2 * kPi * k / sides) *
+                     place[ears.empty() ? loop[0] : ears[0]]);
   }
   std::vector<Index> corners;
   const auto take = [&](auto vertex, auto place_of) {
@@ -75,8 +77,7 @@ std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& 
 
 StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const DomainOptions& domain,
                                            const ParameterizeOptions& options,
-                                           const SolveControl& control,
-                                           Certificate* certificate) {
+                                           const SolveControl& control, Certificate* certificate) {
   const Triangulation& t = surface.triangulation;
   const std::vector<Index> loop = BoundaryVerticesInOrder(t);
   std::vector<Index> corners = domain.corners;
@@ -193,10 +194,11 @@ Status Map(const Surface& surface, const DomainOptions& domain, const Parameteri
   result->certificate.values["flipped_triangles"] = static_cast<double>(flipped.size());
   if (flipped.empty()) return status;
   result->uv.value.clear();
-  return Refuse(Status(StatusCode::kUnrepresentable,
-                       fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
-                                   IdList(flipped, 5))),
-                result);
+  return Refuse(
+      Status(StatusCode::kUnrepresentable,
+             fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
+                         IdList(flipped, 5))),
+      result);
 }
 
 }  // namespace
@@ -208,8 +210,8 @@ Status MapToRectangle(const Surface& surface, const DomainOptions& domain,
   four.sides = 4;
   if (!domain.corners.empty() && domain.corners.size() != 4) {
     *result = Parameterization();
-    return Refuse(Status::InvalidInput(fmt::format("a rectangle has 4 corners, not {}",
-                                                   domain.corners.size())),
+    return Refuse(Status::InvalidInput(
+                      fmt::format("a rectangle has 4 corners, not {}", domain.corners.size())),
                   result);
   }
   return Map(surface, four, options, control, true, result);
