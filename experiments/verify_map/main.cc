@@ -26,6 +26,8 @@ DEFINE_double(position_tolerance, 1e-6,
 DEFINE_double(angle_tolerance, 1e-6, "how far an angle sum may be off 2 pi or its target [rad]");
 DEFINE_double(seam_tolerance, 1e-6,
               "how far the lengths of a seam's two sides may differ, relatively");
+DEFINE_string(domain, "plane", "disk: the boundary must lie on the unit circle, in order");
+DEFINE_double(circle_tolerance, 1e-14, "how far a boundary vertex may be off the unit circle");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
 DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
 DECLARE_bool(help);
@@ -82,6 +84,11 @@ int VerifyFiles(const std::vector<std::string>& files) {
   options.position_tolerance = FLAGS_position_tolerance;
   options.angle_tolerance = FLAGS_angle_tolerance;
   options.seam_tolerance = FLAGS_seam_tolerance;
+  if (FLAGS_domain != "plane" && FLAGS_domain != "disk") {
+    return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, {"plane", "disk"})));
+  }
+  options.unit_disk = FLAGS_domain == "disk";
+  options.circle_tolerance = FLAGS_circle_tolerance;
   options.require_injective = FLAGS_require_injective;
   options.require_rigid_seams = FLAGS_require_rigid_seams;
   if (!FLAGS_targets.empty()) {

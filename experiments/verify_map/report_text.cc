@@ -113,6 +113,11 @@ std::string ToText(const MapReport& report) {
                                       report.seams->largest_difference));
   }
   if (report.distortion) text += DistortionLines(*report.distortion);
+  if (report.disk) {
+    text += Line("unit circle", fmt::format("{} of the boundary off by up to {:.3g}, {} turn",
+                                            Count(report.disk->num_vertices, "vertex"),
+                                            report.disk->largest_error, report.disk->turns));
+  }
   if (report.overlap) text += OverlapLines(*report.overlap, report.num_patches);
   return text + "verdict: " + report.Verdict() + "\n";
 }
