@@ -78,6 +78,21 @@ void Certify(const Surface& surface, const HalfPlaneChart& chart, const DiskPlac
   }
 }
 
+/// Distortion of what was solved alone: a face with all corners on the circle cannot but be flat.
+void MeasureCore(const Surface& surface, const std::vector<bool>& core, Parameterization* result) {
+  const FaceDistortion d =
+      MeasureDistortion(surface.triangulation, MeasureEdgeLengths(surface), result->uv);
+  double sum = 0, area = 0, largest = 1;
+  for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+    if (!core[f]) continue;
+    sum += d.area[f] * d.quasi_conformal[f];
+    area += d.area[f];
+    largest = std::max(largest, d.quasi_conformal[f]);
+  }
+  Put({{"core_quasi_conformal_mean", sum / area}, {"core_quasi_conformal_max", largest}},
+      &result->certificate);
+}
+
 void Deliver(const Surface& surface, CornerUv uv, Parameterization* result) {
   const Triangulation& t = surface.triangulation;
   result->uv = std::move(uv);
@@ -121,6 +136,7 @@ Status RunDisk(const Surface& surface, const DomainOptions& domain,
     return Unrepresentable("points of the unit disk");
   Certify(surface, chart, disk, spread, &result->certificate);
   Deliver(surface, disk.Uv(), result);
+  MeasureCore(surface, chart.disk.core, result);
   return Status();
 }
 

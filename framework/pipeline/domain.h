@@ -50,7 +50,9 @@ struct DomainOptions {
 /// Certificate: those of Flatten for the part that was solved; pole_vertex, centre_vertex and
 /// angle_zero_vertex as the input file numbers them from 0; overhanging_faces, boundary_spread,
 /// boundary_straightness, boundary_circle_error, centre_error, boundary_centre_of_mass,
-/// area_centre_of_mass, flipped_triangles, and the measures of Parameterize.
+/// area_centre_of_mass, flipped_triangles, and the measures of Parameterize, those of distortion also
+/// as core_quasi_conformal_mean and _max for the faces that no chord cuts off (a triangle with its
+/// corners on the circle is the flatter the smaller it is, whatever one does).
 /// Errors: kInvalidInput for a surface that is no disk and for vertices that do not fit, and those
 /// of Flatten. `result` has no flat metric of the whole surface.
 Status MapToDisk(const Surface& surface, const DomainOptions& domain,
