@@ -27,8 +27,12 @@ TEST(SubTriangulation, KeepsFacesLengthsAndGluing) {
     const Index g = part.Halfedge(h);
     EXPECT_EQ(part.vertex[t.vertex[h]], whole.vertex[g]);
     EXPECT_EQ(own.value[t.edge[h]], lengths.value[whole.edge[g]]);
-    if (t.twin[h] != kNone) EXPECT_EQ(part.Halfedge(t.twin[h]), whole.twin[g]);
-    if (t.twin[h] == kNone && whole.twin[g] != kNone) EXPECT_FALSE(keep[whole.twin[g] / 3]);
+    if (t.twin[h] != kNone) {
+      EXPECT_EQ(part.Halfedge(t.twin[h]), whole.twin[g]);
+    }
+    if (t.twin[h] == kNone && whole.twin[g] != kNone) {
+      EXPECT_FALSE(keep[whole.twin[g] / 3]);
+    }
   }
 }
 

@@ -89,7 +89,9 @@ TEST(PolygonDomain, CornersHaveEqualAnglesAndSidesAreStraight) {
     EXPECT_EQ(corners, sides);
     const auto& values = map.certificate.values;
     EXPECT_LT(values.at("longest_side") / values.at("shortest_side"), 1.5);
-    if (sides == 3) EXPECT_NEAR(values.at("longest_side"), values.at("shortest_side"), 1e-9);
+    if (sides == 3) {
+      EXPECT_NEAR(values.at("longest_side"), values.at("shortest_side"), 1e-9);
+    }
   }
 }
 
