@@ -27,11 +27,12 @@ struct DomainOptions {
 };
 
 /// Conformal map of a topological disk to the unit disk: the star of a boundary vertex, the pole,
-/// is taken off; the rest is solved with a straight boundary (angle sums pi; its ends, the pole's
-/// neighbours, at most pi / 2, and the pole's inner neighbours at most pi, so that the faces at the
-/// pole are Delaunay in the surface and its mirror image); a Moebius map takes the half-plane to
-/// the disk, infinity being where the pole goes. Boundary vertices lie on the unit circle to
-/// rounding, the centre exactly at 0, the vertex of angle zero exactly at (1, 0).
+/// is taken off; the rest is solved with a straight boundary (angle sums pi) that turns along the
+/// pole's link by the angles which the pole's own triangles give it, to at most pi / 2 at the
+/// link's ends and pi between them, so that the faces at the pole are Delaunay in the surface and
+/// its mirror image; a Moebius map takes the half-plane to the disk, infinity being where the pole
+/// goes. Boundary vertices lie on the unit circle to rounding, the centre exactly at 0, the vertex
+/// of angle zero exactly at (1, 0).
 ///
 /// Without a centre given it is the inner vertex nearest to where `normalization` "area" would put
 /// 0. "boundary": the boundary vertices, weighted by boundary length of the surface, have their
@@ -50,11 +51,11 @@ struct DomainOptions {
 /// Certificate: those of Flatten for the part that was solved; pole_vertex, centre_vertex and
 /// angle_zero_vertex as the input file numbers them from 0; overhanging_faces, boundary_spread,
 /// boundary_straightness, boundary_circle_error, centre_error, boundary_centre_of_mass,
-/// area_centre_of_mass, flipped_triangles, and the measures of Parameterize, those of distortion also
-/// as core_quasi_conformal_mean and _max for the faces that no chord cuts off (a triangle with its
-/// corners on the circle is the flatter the smaller it is, whatever one does).
-/// Errors: kInvalidInput for a surface that is no disk and for vertices that do not fit, and those
-/// of Flatten. `result` has no flat metric of the whole surface.
+/// area_centre_of_mass, flipped_triangles, and the measures of Parameterize, those of distortion
+/// also as core_quasi_conformal_mean and _max for the faces that no chord cuts off (a triangle with
+/// its corners on the circle is the flatter the smaller it is, whatever one does). Errors:
+/// kInvalidInput for a surface that is no disk and for vertices that do not fit, and those of
+/// Flatten. `result` has no flat metric of the whole surface.
 Status MapToDisk(const Surface& surface, const DomainOptions& domain,
                  const ParameterizeOptions& options, const SolveControl& control,
                  Parameterization* result);

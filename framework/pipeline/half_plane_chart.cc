@@ -68,6 +68,47 @@ ConeTargets StraightTargets(const PuncturedDisk& disk, double epsilon) {
   return targets;
 }
 
+/// Fixes the angle sums along the link too, so that the pole's own triangles keep their shapes:
+/// with the pole at infinity their circles are the link's lines, which turn at a vertex by the
+/// intersection angle theta of the circles at its edge to the pole, half of it at the ends of the
+/// chain, where the mirror image has the other half. Scaled so that the pole's angle sum becomes
+/// pi, the angles turn by pi in all.
+void KeepStar(const Triangulation& whole, const CornerAngles& angles, double epsilon,
+              PuncturedDisk* disk) {
+  constexpr double kLeast = 0.05;  // [rad] left for the angle sum of a link vertex
+  const SubTriangulation& rest = disk->rest;
+  double around_pole = 0;
+  const auto for_each_star_corner = [&](const auto& visit) {
+    for (Index h = 0; h < whole.num_halfedges(); ++h) {
+      if (whole.vertex[h] == disk->pole && disk->core[Triangulation::Face(h)]) visit(h);
+    }
+  };
+  for_each_star_corner([&](Index h) { around_pole += angles.value[h]; });
+  std::vector<double> opposite(rest.triangulation.num_vertices, -1);  // of the edge to the pole
+  for_each_star_corner([&](Index h) {
+    const Index next = Triangulation::Next(h), prev = Triangulation::Prev(h);
+    const double surplus = 0.5 * angles.value[h] * (1 - kPi / around_pole);
+    for (const auto& [corner, other] : {std::pair(next, prev), std::pair(prev, next)}) {
+      double& sum = opposite[rest.of_vertex[whole.vertex[other]]];
+      sum = std::max(sum, 0.0) + angles.value[corner] + surplus;
+    }
+  });
+  const auto straight = [&](Index v) {
+    return v == disk->chain.front() || v == disk->chain.back() ? 0.5 * kPi : kPi;
+  };
+  double turned = 0;
+  for (Index v = 0; v < rest.triangulation.num_vertices; ++v) {
+    if (opposite[v] < 0) continue;
+    const double full = straight(v);
+    opposite[v] = std::clamp(full - opposite[v], epsilon * full / kPi, full - kLeast);
+    turned += opposite[v];
+  }
+  for (Index v = 0; v < rest.triangulation.num_vertices; ++v) {
+    if (opposite[v] < 0) continue;
+    disk->targets.lower[v] = disk->targets.upper[v] = straight(v) - opposite[v] * kPi / turned;
+  }
+}
+
 PuncturedDisk TakeOffStar(const Triangulation& t, const EdgeLengths& lengths,
                           const std::vector<bool>& core, Index pole, double epsilon) {
   PuncturedDisk disk;
@@ -148,16 +189,26 @@ class ChartSolve {
                       pole));
     }
     Status status;
-    for (const Index candidate : poles) {
-      chart_ = {};
-      chart_.disk = TakeOffStar(t_, lengths_, core, candidate, options_.epsilon);
-      status = chart_.disk.rest.face.empty() ? Status() : SolveWithLocks(clean);
-      if (status.code() != StatusCode::kInfeasible) break;
+    for (const bool keep_star : {true, false}) {
+      for (const Index candidate : poles) {
+        status = SolveWithPole(core, candidate, keep_star, clean);
+        if (status.code() != StatusCode::kInfeasible) return status;
+      }
     }
     return status;
   }
 
  private:
+  Status SolveWithPole(const std::vector<bool>& core, Index pole, bool keep_star, bool* clean) {
+    chart_ = {};
+    chart_.disk = TakeOffStar(t_, lengths_, core, pole, options_.epsilon);
+    if (chart_.disk.rest.face.empty()) return Status();
+    if (keep_star) {
+      KeepStar(t_, MeasureCornerAngles(t_, lengths_), options_.epsilon, &chart_.disk);
+    }
+    return SolveWithLocks(clean);
+  }
+
   Status SolveWithLocks(bool* clean) {
     std::vector<bool> locked(chart_.disk.rest.triangulation.num_edges(), false);
     for (int round = 0; round < kMaxRounds; ++round) {

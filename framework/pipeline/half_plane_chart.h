@@ -46,7 +46,8 @@ using FlipsOfChart = std::function<std::vector<Index>(const HalfPlaneChart&)>;
 
 /// Solves for the chart (MapToDisk says how), with the edges of flipped triangles locked and again
 /// while that helps, then on the input's connectivity. Without a pole given, boundary vertices with
-/// the straightest surroundings are tried in turn where a solve ends infeasible. Status ok even if
+/// the straightest surroundings are tried in turn where a solve ends infeasible; last, with angle
+/// sums along the pole's link that are only bounded. Status ok even if
 /// the last chart still has flips: *clean says. @pre CheckIsDisk is ok.
 Status SolveHalfPlaneChart(const Surface& surface, Index pole, const ParameterizeOptions& options,
                            const SolveControl& control, const FlipsOfChart& flips,
