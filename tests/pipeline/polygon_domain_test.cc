@@ -46,7 +46,7 @@ TEST(RectangleDomain, RectangularGridHasItsOwnModulus) {
 }
 
 TEST(RectangleDomain, OppositeCornersTurnTheModulusOver) {
-  const Surface surface = GeneratedSurface("bumpy_terrain", 800);
+  const Surface surface = GeneratedSurface("hemisphere", 800);
   const std::vector<Index> loop = BoundaryLoops(surface.triangulation).front();
   DomainOptions domain;
   for (const std::size_t k : {0, 9, 20, 31}) {
@@ -118,21 +118,28 @@ TEST(PolygonDomain, ExteriorAnglesAreFollowed) {
 }
 
 TEST(PolygonDomain, BadCornersAreRefused) {
-  const Surface strip = FlatStrip(6, 4);
+  const Surface surface = GeneratedSurface("hemisphere", 200);
+  const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
+  std::vector<Index> on, inside;
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    (boundary[v] ? on : inside).push_back(v);
+  }
   const auto code = [&](std::vector<Index> corners) {
     DomainOptions domain;
     domain.corners = std::move(corners);
     Parameterization map;
-    return MapToRectangle(strip, domain, {}, {}, &map).code();
+    const Status status = MapToRectangle(surface, domain, {}, {}, &map);
+    EXPECT_EQ(map.certificate.message, status.message());
+    return status.code();
   };
-  EXPECT_EQ(code(StripCorners(6, 4)), StatusCode::kOk);
-  EXPECT_EQ(code({0, 6, 34}), StatusCode::kInvalidInput);
-  EXPECT_EQ(code({0, 6, 34, 34}), StatusCode::kInvalidInput);
-  EXPECT_EQ(code({0, 6, 34, At(6, 3, 2)}), StatusCode::kInvalidInput);
+  EXPECT_EQ(code({on[0], on[3], on[6], on[9]}), StatusCode::kOk);
+  EXPECT_EQ(code({on[0], on[3], on[6]}), StatusCode::kInvalidInput);
+  EXPECT_EQ(code({on[0], on[3], on[6], on[6]}), StatusCode::kInvalidInput);
+  EXPECT_EQ(code({on[0], on[3], on[6], inside[0]}), StatusCode::kInvalidInput);
   DomainOptions domain;
   domain.sides = 2;
   Parameterization map;
-  EXPECT_EQ(MapToPolygon(strip, domain, {}, {}, &map).code(), StatusCode::kInvalidInput);
+  EXPECT_EQ(MapToPolygon(surface, domain, {}, {}, &map).code(), StatusCode::kInvalidInput);
   EXPECT_EQ(MapToRectangle(GeneratedSurface("annulus", 100), {}, {}, {}, &map).code(),
             StatusCode::kInvalidInput);
 }
