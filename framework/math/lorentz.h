@@ -23,8 +23,8 @@ class LorentzBoost {
   /// The image of the unit vector v.
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const;
 
-  /// y, the point of Poincare's ball that goes to the centre. On the equator, as complex numbers, the
-  /// boost by a vector of the equator's plane is v -> (v - y) / (1 - conj(y) v).
+  /// y, the point of Poincare's ball that goes to the centre. On the equator, as complex numbers,
+  /// the boost by a vector of the equator's plane is v -> (v - y) / (1 - conj(y) v).
   const Eigen::Vector3d& poincare_vector() const { return y_; }
 
  private:
