@@ -12,6 +12,7 @@
 #include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/solver_strategy.h"
 
+#include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/run.h"
 #include "experiments/circle_patterns/sphere.h"
 #include "experiments/common/blas_threads.h"
@@ -61,13 +62,22 @@ DEFINE_string(edge_costs, cirque::ParameterizeOptions().edge_costs,
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
-DEFINE_string(domain, "plane", "plane, or sphere (closed surfaces of genus 0)");
-DEFINE_int32(pole, 0,
-             "sphere: the vertex taken out for the solve, counted from 1 as in -iv; 0: chosen");
-DEFINE_string(normalization, cirque::SphereOptions().normalization,
-              "sphere: none, uniform, surface_area, image_area or least_area_distortion");
+DEFINE_string(domain, "plane",
+              "shape to map onto: plane, sphere, disk, half_plane, rectangle, polygon, triangle");
+DEFINE_string(
+    pole, "",
+    "sphere, disk, half_plane: vertex that the solve sends to infinity; like all vertices\n"
+    "given here counted from 1; default: chosen");
+DEFINE_string(
+    normalization, "",
+    "sphere: none, uniform, surface_area, image_area or least_area_distortion; disk: none,\n"
+    "boundary or area: instead of a vertex, a centre of mass goes to 0");
 DEFINE_bool(principal_axes, false, "sphere: turned to the principal axes of the surface's area");
 DEFINE_string(latlong, "", "sphere: output .obj with latitude and longitude as texture");
+DEFINE_string(centre, "", "disk: inner vertex that goes to 0");
+DEFINE_string(angle_zero, "", "disk: boundary vertex that goes to (1, 0)");
+DEFINE_string(corners, "", "rectangle, polygon, triangle: boundary vertices with commas");
+DEFINE_int32(sides, 0, "polygon: how many corners to choose, where none are given (4)");
 DECLARE_bool(help);
 
 namespace cirque {
@@ -85,19 +95,6 @@ constexpr char kUsage[] =
 int Conclude(const Status& status) {
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
   return ExitStatus(status.code());
-}
-
-/// Options that only maps to the sphere have must not be given in vain.
-Status CheckDomain() {
-  if (FLAGS_domain == "sphere") return Status();
-  if (FLAGS_domain != "plane") {
-    return Status::InvalidInput(UnknownName("domain", FLAGS_domain, {"plane", "sphere"}));
-  }
-  for (const char* flag : {"pole", "normalization", "principal_axes", "latlong"}) {
-    if (gflags::GetCommandLineFlagInfoOrDie(flag).is_default) continue;
-    return Status::InvalidInput(fmt::format("-{} is for -domain=sphere only", flag));
-  }
-  return Status();
 }
 
 Status CheckArguments(const std::vector<std::string>& others) {
@@ -124,13 +121,12 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (FLAGS_oo.empty() && (FLAGS_ic.empty() || FLAGS_oc.empty())) {
     return Status::InvalidInput("-oo OUT is missing; see --help");
   }
-  return CheckDomain();
+  return CheckDomainFlags(FLAGS_domain);
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control) {
   if (FLAGS_domain == "sphere") {
-    return RunSphere(job, {FLAGS_pole, FLAGS_normalization, FLAGS_principal_axes, FLAGS_latlong},
-                     control, std::cout);
+    return RunSphere(job, {FLAGS_principal_axes, FLAGS_latlong}, control, std::cout);
   }
   return job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
                                : RunOnMetric(job, control, std::cout);
@@ -166,6 +162,8 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
                  .edge_costs = FLAGS_edge_costs,
                  .epsilon = FLAGS_epsilon,
                  .max_iterations = FLAGS_max_iterations};
+  job.domain = {FLAGS_domain,        FLAGS_centre,  FLAGS_angle_zero, FLAGS_pole,
+                FLAGS_normalization, FLAGS_corners, FLAGS_sides};
   return job;
 }
 

@@ -18,6 +18,7 @@
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
 
+#include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"
 
@@ -34,6 +35,24 @@ double PeakMemoryInMegabytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// What was asked of the shape, as far as the map has it.
+std::string DomainSummary(const Certificate& c) {
+  const auto value = [&](const char* name) { return ValueOr(c, name, kUnset); };
+  std::string text;
+  if (c.values.count("boundary_circle_error")) {
+    text += fmt::format(
+        "disk        off the circle {:.1e}, centres of mass {:.1e} boundary {:.1e} area, "
+        "boundary spread {:.0e}\n",
+        value("boundary_circle_error"), value("boundary_centre_of_mass"),
+        value("area_centre_of_mass"), value("boundary_spread"));
+  }
+  if (c.values.count("conformal_modulus")) {
+    text += fmt::format("rectangle   conformal modulus {:.12g}, opposite sides differ by {:.1e}\n",
+                        value("conformal_modulus"), value("opposite_side_mismatch"));
+  }
+  return text;
 }
 
 /// The evidence in a few lines for people.
@@ -67,7 +86,7 @@ std::string Summary(const Certificate& c) {
                     value("refinement_steps"), value("refinement_area_distortion_before"),
                     value("refinement_area_distortion_after"));
   }
-  return text;
+  return text + DomainSummary(c);
 }
 
 /// The map of the input's own triangles, and the flat metric if it was asked for.
@@ -91,6 +110,10 @@ StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
 Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices,
                            const Surface& surface, const SolveControl& control,
                            Parameterization* map) {
+  if (job.domain.name != "plane") {
+    const Status status = MapToDomain(job, num_file_vertices, surface, control, map);
+    return status.code() == StatusCode::kInvalidInput ? status.In(job.input) : status;
+  }
   const Triangulation& t = surface.triangulation;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const StatusOr<std::optional<ConeTargets>> targets =

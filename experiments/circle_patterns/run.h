@@ -11,6 +11,16 @@
 
 namespace cirque {
 
+/// The shape to map onto, as the flags say it: vertices by their numbers in the file, from 0;
+/// empty: chosen.
+struct DomainRequest {
+  std::string name = "plane";
+  std::string centre, angle_zero, pole;
+  std::string normalization;  ///< empty: as the domain has it
+  std::string corners;        ///< separated by commas
+  int sides = 0;              ///< 0: as the domain has it
+};
+
 /// What the program was asked to do.
 struct CirclePatternsJob {
   std::string input, output;
@@ -26,6 +36,7 @@ struct CirclePatternsJob {
   std::string certificate;  ///< where to write it; empty: beside the output
   std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
   ParameterizeOptions options;
+  DomainRequest domain;
 };
 
 /// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".

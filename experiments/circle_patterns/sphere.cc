@@ -1,6 +1,5 @@
 #include "experiments/circle_patterns/sphere.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 
+#include "experiments/circle_patterns/file_numbering.h"
 #include "experiments/circle_patterns/sphere_files.h"
 
 namespace cirque {
@@ -21,15 +21,6 @@ std::string Extension(const std::string& path) {
 }
 
 Status CheckJob(const CirclePatternsJob& job, const SphereJob& sphere) {
-  const std::pair<const char*, bool> unfit[] = {
-      {"-ic", !job.input_con.empty()}, {"-iv", !job.cones.empty()},
-      {"-ie", !job.cut.empty()},       {"-angle_sums", !job.angle_sums.empty()},
-      {"-oc", !job.con.empty()},       {"-fill_holes", job.fill_holes}};
-  for (const auto& [flag, given] : unfit) {
-    if (!given) continue;
-    return Status::InvalidInput(
-        fmt::format("{} does not go with -domain=sphere; leave it out", flag));
-  }
   const std::string extension = Extension(job.output);
   if (extension != ".obj" && extension != ".ply") {
     return Status::InvalidInput(job.output +
@@ -39,22 +30,6 @@ Status CheckJob(const CirclePatternsJob& job, const SphereJob& sphere) {
     return Status::InvalidInput(sphere.latlong + ": texture is written as .obj; name it so");
   }
   return Status();
-}
-
-/// The vertex of the surface that the file counts as `number`, from 1; kNone for 0.
-StatusOr<Index> PoleVertex(Index number, Index num_file_vertices, const Surface& surface) {
-  if (number == 0) return kNone;
-  if (number < 0 || number > num_file_vertices) {
-    return Status::InvalidInput(
-        fmt::format("-pole={}: vertices are counted from 1 to {}", number, num_file_vertices));
-  }
-  const auto& in_file = surface.soup_vertex;
-  const auto found = std::lower_bound(in_file.begin(), in_file.end(), number - 1);
-  if (found == in_file.end() || *found != number - 1) {
-    return Status::InvalidInput(
-        fmt::format("-pole={}: that vertex belongs to no face; name another", number));
-  }
-  return static_cast<Index>(found - in_file.begin());
 }
 
 std::string Summary(const Certificate& c) {
@@ -111,12 +86,14 @@ Status RunSphere(const CirclePatternsJob& job, const SphereJob& sphere, const So
   const StatusOr<Surface> surface = Preflight(*soup, &preflight);
   report << preflight.Text();
   if (!surface.ok()) return surface.status().In(job.input);
-  const auto pole = PoleVertex(sphere.pole, static_cast<Index>(soup->position.size()), *surface);
-  if (!pole.ok()) return pole.status();
+  SphereOptions options;
+  options.principal_axes = sphere.principal_axes;
+  if (!job.domain.normalization.empty()) options.normalization = job.domain.normalization;
+  const FileNumbering numbers(*surface, static_cast<Index>(soup->position.size()));
+  if (Status s = numbers.Read("pole", job.domain.pole, &options.pole); !s.ok()) return s;
 
   SphereMap map;
-  const Status status = MapToSphere(*surface, {*pole, sphere.normalization, sphere.principal_axes},
-                                    job.options, control, &map);
+  const Status status = MapToSphere(*surface, options, job.options, control, &map);
   if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
   if (status.code() == StatusCode::kCancelled) return status;
   if (status.ok()) {

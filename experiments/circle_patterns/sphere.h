@@ -9,10 +9,8 @@
 
 namespace cirque {
 
-/// What the program was asked to do with --domain=sphere, beside CirclePatternsJob.
+/// What the program was asked to do with --domain=sphere, beside CirclePatternsJob and its domain.
 struct SphereJob {
-  Index pole = 0;  ///< counted from 1 as in the file; 0: chosen
-  std::string normalization;
   bool principal_axes = false;
   std::string latlong;  ///< .obj to write with latitude and longitude as texture; empty: none
 };

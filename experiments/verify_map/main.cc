@@ -26,13 +26,16 @@ DEFINE_string(
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");
-DEFINE_string(domain, "plane", "plane: OUT's texture coordinates; sphere: OUT's points");
 DEFINE_string(infeasible, "", "certificate of infeasibility to check against the one mesh given");
 DEFINE_double(position_tolerance, 1e-6,
               "how far a vertex may be off, as a fraction of the bounding box's diagonal");
 DEFINE_double(angle_tolerance, 1e-6, "how far an angle sum may be off 2 pi or its target [rad]");
 DEFINE_double(seam_tolerance, 1e-6,
               "how far the lengths of a seam's two sides may differ, relatively");
+DEFINE_string(domain, "plane",
+              "plane: OUT's texture coordinates; disk: with their boundary on the unit circle, in\n"
+              "order; sphere: OUT's points");
+DEFINE_double(circle_tolerance, 1e-14, "how far a boundary vertex may be off the unit circle");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
 DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
@@ -109,6 +112,8 @@ int VerifyFiles(const std::vector<std::string>& files) {
   options.position_tolerance = FLAGS_position_tolerance;
   options.angle_tolerance = FLAGS_angle_tolerance;
   options.seam_tolerance = FLAGS_seam_tolerance;
+  options.unit_disk = FLAGS_domain == "disk";
+  options.circle_tolerance = FLAGS_circle_tolerance;
   options.require_injective = FLAGS_require_injective;
   options.require_rigid_seams = FLAGS_require_rigid_seams;
   if (!FLAGS_targets.empty()) {
@@ -131,8 +136,9 @@ int Main(int argc, char** argv) {
     fmt::print("{}\n\n{}", kUsage, FlagHelp(kSource));
     return kValid;
   }
-  if (FLAGS_domain != "plane" && FLAGS_domain != "sphere") {
-    return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, {"plane", "sphere"})));
+  const std::vector<std::string> domains = {"plane", "disk", "sphere"};
+  if (std::find(domains.begin(), domains.end(), FLAGS_domain) == domains.end()) {
+    return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, domains)));
   }
   const bool proof = !FLAGS_infeasible.empty();
   if (files->size() != (proof ? 1u : 2u)) {

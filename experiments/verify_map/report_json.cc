@@ -87,6 +87,12 @@ std::string ToJson(const MapReport& report) {
   }
   if (report.measures) PutMeasures(*report.measures, &json);
   json["patches"] = report.num_patches;
+  if (report.disk) {
+    json["boundary_circle_error"] = report.disk->largest_error;
+    json["boundary_turns"] = report.disk->turns;
+    PutIds("boundary_off_circle", report.disk->off_circle, &json);
+    PutIds("boundary_out_of_order", report.disk->out_of_order, &json);
+  }
   if (report.overlap) PutOverlap(*report.overlap, &json);
   return json.dump(2) + "\n";
 }

@@ -106,6 +106,11 @@ std::string ToText(const MapReport& report) {
                                       Count(report.seams->num_edges, "edge"),
                                       report.seams->largest_difference));
   }
+  if (report.disk) {
+    text += Line("unit circle", fmt::format("{} of the boundary off by up to {:.3g}, {} turn",
+                                            Count(report.disk->num_vertices, "vertex"),
+                                            report.disk->largest_error, report.disk->turns));
+  }
   if (report.overlap) text += OverlapLines(*report.overlap, report.num_patches);
   if (report.measures) text += MeasureLines(*report.measures);
   return text + "verdict: " + report.Verdict() + "\n";

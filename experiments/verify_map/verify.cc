@@ -17,7 +17,8 @@ Status CheckTolerances(const VerifyOptions& options) {
   const std::pair<const char*, double> tolerances[] = {
       {"position_tolerance", options.position_tolerance},
       {"angle_tolerance", options.angle_tolerance},
-      {"seam_tolerance", options.seam_tolerance}};
+      {"seam_tolerance", options.seam_tolerance},
+      {"circle_tolerance", options.circle_tolerance}};
   for (const auto& [name, value] : tolerances) {
     if (value >= 0) continue;
     return Status::InvalidInput(fmt::format("{} = {}: a number >= 0 is needed", name, value));
@@ -121,6 +122,10 @@ void JudgeMap(const UvComplex& complex, const std::vector<Eigen::Vector3d>& posi
   Append(AngleErrors(*report->angles, options), &report->errors);
   JudgeSeams(complex, options, report);
   report->measures = MeasureComplex(complex, position);
+  if (options.unit_disk) {
+    report->disk = FitDisk(complex, options.circle_tolerance);
+    Append(DiskErrors(complex, *report->disk, options.circle_tolerance), &report->errors);
+  }
   if (!oriented || !report->angles->wrapped.empty()) return;
   report->overlap = CheckOverlap(complex);
   if (options.require_injective) {

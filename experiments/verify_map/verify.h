@@ -9,6 +9,7 @@
 
 #include "experiments/verify_map/angle_check.h"
 #include "experiments/verify_map/correspondence.h"
+#include "experiments/verify_map/disk_check.h"
 #include "experiments/verify_map/measures.h"
 #include "experiments/verify_map/overlap_check.h"
 #include "experiments/verify_map/seams.h"
@@ -17,10 +18,12 @@ namespace cirque::verify_map {
 
 struct VerifyOptions {
   double position_tolerance = 1e-6;  ///< a vertex may be off by this fraction of the bounding box
-  double angle_tolerance = 1e-6;   ///< radians: a seam vertex off 2 pi by more is a cone, a vertex
-                                   ///< off its target by more is an error
-  double seam_tolerance = 1e-6;    ///< relative; enters with require_rigid_seams
-  bool require_injective = false;  ///< an overlap makes the map invalid
+  double angle_tolerance = 1e-6;  ///< radians: a seam vertex off 2 pi by more is a cone, a vertex
+                                  ///< off its target by more is an error
+  double seam_tolerance = 1e-6;   ///< relative; enters with require_rigid_seams
+  bool unit_disk = false;  ///< the boundary must lie on the unit circle, once round and in order
+  double circle_tolerance = 1e-14;
+  bool require_injective = false;              ///< an overlap makes the map invalid
   bool require_rigid_seams = false;            ///< so does a seam whose two sides differ in length
   std::vector<std::optional<double>> targets;  ///< angle sums, one per vertex; empty: none
 };
@@ -41,6 +44,7 @@ struct MapReport {
   std::optional<AngleMeasures> angles;
   std::optional<SeamAgreement> seams;
   std::optional<MapMeasures> measures;
+  std::optional<DiskFit> disk;           ///< with unit_disk
   std::optional<OverlapResult> overlap;  ///< judged for locally injective maps only
 
   bool valid() const { return errors.empty(); }

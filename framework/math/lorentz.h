@@ -23,7 +23,9 @@ class LorentzBoost {
   /// The image of the unit vector v.
   Eigen::Vector3d operator()(const Eigen::Vector3d& v) const;
 
-  /// The point of Poincare's ball that it carries to the centre: x at half its hyperbolic distance.
+  /// y, the point of Poincare's ball that it carries to the centre: x at half its hyperbolic
+  /// distance. On the equator, as complex numbers, the boost by a vector of the equator's plane is
+  /// v -> (v - y) / (1 - conj(y) v).
   const Eigen::Vector3d& centre() const { return y_; }
 
  private:

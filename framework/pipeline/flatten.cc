@@ -47,14 +47,14 @@ class Flattening {
         result_(*result),
         source_area_(Area(input, lengths)) {}
 
-  Status Run() {
+  Status Run(std::vector<bool> locked) {
     if (Status s = CheckTargets(input_, targets_, &certificate_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == "input") return SolveOnInput();
     if (options_.triangulation != "delaunay") {
       return Status::InvalidInput(
           UnknownName("triangulation", options_.triangulation, {"delaunay", "input"}));
     }
-    std::vector<bool> locked(input_.num_edges(), false);
+    locked.resize(input_.num_edges(), false);
     for (int round = 1; round <= kMaxRounds; ++round) {
       certificate_.values["delaunay_rounds"] = round;
       const Status status = SolveOnDelaunay(locked);
@@ -214,8 +214,8 @@ class Flattening {
 
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,
-               Certificate* certificate, FlatSurface* result) {
-  return Flattening(input, lengths, targets, options, control, certificate, result).Run();
+               Certificate* certificate, FlatSurface* result, const std::vector<bool>& locked) {
+  return Flattening(input, lengths, targets, options, control, certificate, result).Run(locked);
 }
 
 }  // namespace cirque

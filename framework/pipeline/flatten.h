@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
@@ -27,8 +29,9 @@ struct FlatSurface {
 /// everything is solved again (DESIGN 4.1); the last resort, also where the flipped connectivity
 /// has no coherent angles, is the input's own, on which none can be mirrored. Proofs of
 /// infeasibility are therefore about the input's connectivity. Fills in the certificate's values.
+/// `locked`, per edge of the input, are locked from the first round on; empty: none.
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,
-               Certificate* certificate, FlatSurface* result);
+               Certificate* certificate, FlatSurface* result, const std::vector<bool>& locked = {});
 
 }  // namespace cirque

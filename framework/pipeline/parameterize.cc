@@ -16,8 +16,8 @@
 #include "cirque/layout/seams.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/metrics/measure_map.h"
 #include "cirque/pipeline/cut_costs.h"
+#include "cirque/pipeline/map_measures.h"
 #include "cirque/pipeline/refine_cones.h"
 #include "cirque/pipeline/repair_cones.h"
 #include "cirque/pipeline/snap_rotations.h"
@@ -116,28 +116,6 @@ Status LayOut(const Job& job, Parameterization* result) {
   return Status();
 }
 
-std::string ToString(BoundaryContact contact) {
-  switch (contact) {
-    case BoundaryContact::kApart:
-      return "injective";
-    case BoundaryContact::kTouch:
-      return "boundary_touches";
-    case BoundaryContact::kCrossing:
-      return "boundary_overlaps";
-  }
-  return "unknown";
-}
-
-void Measure(const Triangulation& t, const EdgeLengths& lengths, Parameterization* result) {
-  const Triangulation opened = CutOpen(t, result->cut);
-  Certificate& certificate = result->certificate;
-  certificate.overlap = ToString(FindBoundaryContact(opened, result->uv));
-  certificate.values.merge(
-      *MeasureFigures(t, lengths, result->uv,
-                      {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
-                       "log_area_ratio_min", "log_area_ratio_max"}));
-}
-
 Status LayOutAndMeasure(const Job& job, Parameterization* result) {
   Certificate& certificate = result->certificate;
   const Timer layout_timer;
@@ -145,7 +123,7 @@ Status LayOutAndMeasure(const Job& job, Parameterization* result) {
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
-  Measure(job.t, job.lengths, result);
+  PutMeasures(job.t, job.lengths, result);
   certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
 }
@@ -199,13 +177,6 @@ Status RunWithCones(const Job& job, Parameterization* result) {
   return status.ok() ? Run(job, result) : status;
 }
 
-Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
-  certificate->seconds["total"] = timer.Seconds();
-  certificate->outcome = ToString(status.code());
-  certificate->message = status.message();
-  return status;
-}
-
 /// The angle sums of a metric, cones being what differs from flat by more than rounding.
 ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) {
   ConeTargets targets = FreeBoundaryTargets(t);
@@ -217,12 +188,6 @@ ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) 
     if (cone) targets.lower[v] = targets.upper[v] = sum[v];
   }
   return targets;
-}
-
-/// Renumbers the proof's vertices as the input file has them.
-void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
-  for (Index& v : proof->constrained_vertex) v = surface.soup_vertex[v];
-  for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }
 
 /// Isolated vertices behind the last used one are unknown here, and no cone can lie there.

@@ -58,6 +58,22 @@ Surface Fan(int n, double height) {
   return SurfaceOf(soup);
 }
 
+Surface FlatStrip(int columns, int rows) {
+  PolygonSoup soup;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) soup.position.emplace_back(i, j, 0);
+  }
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const Index a = j * (columns + 1) + i, b = a + 1, c = b + columns + 1, d = c - 1;
+      const bool rising = (i + j) % 2 == 0;
+      AddTriangle(&soup, a, b, rising ? c : d);
+      AddTriangle(&soup, rising ? a : b, c, d);
+    }
+  }
+  return SurfaceOf(soup);
+}
+
 Surface Kleetope(const Surface& surface) {
   PolygonSoup soup;
   soup.position = surface.position;

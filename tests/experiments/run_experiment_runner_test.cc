@@ -304,16 +304,16 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
   const auto record = [&] {
     return MakeRecord("key", cell, {}, ParameterizeCell(cell, ""), nlohmann::json::object());
   };
-  EXPECT_FALSE(record()["values"].contains("cut_length"));
-  EXPECT_THAT(ToTable({record()}), ::testing::Not(HasSubstr("cut_length")));
-  cell.measures = {"cut_length", "quasi_conformal_mean"};
+  EXPECT_FALSE(record()["values"].contains("resolution_unit_area"));
+  EXPECT_THAT(ToTable({record()}), ::testing::Not(HasSubstr("resolution_unit_area")));
+  cell.measures = {"resolution_unit_area", "quasi_conformal_mean"};
   const Record measured = record();
-  EXPECT_GT(measured["values"]["cut_length"], 1);
+  EXPECT_GT(measured["values"]["resolution_unit_area"], 1);
   EXPECT_NE(RunKey(cell, "hash", "code"), plain_key);
   const std::string table = ToTable({measured});
-  EXPECT_THAT(table, HasSubstr("  cut_length\n"));
+  EXPECT_THAT(table, HasSubstr("  resolution_unit_area\n"));
   EXPECT_THAT(table, ::testing::Not(HasSubstr("quasi_conformal_mean")));  // shown as "qc mean"
-  EXPECT_THAT(ToCsv({measured}), HasSubstr(",cut_length,"));
+  EXPECT_THAT(ToCsv({measured}), HasSubstr(",resolution_unit_area,"));
 }
 
 TEST_F(RunExperimentTest, ProgressInAFileIsOneLineARun) {

@@ -115,14 +115,14 @@ TEST_F(SphereProgramsTest, BadOptionsAreExitStatusTwoAndLeaveNothing) {
   const std::string out = folder_.Path("out.obj"), both = " -io " + in + " -oo " + out;
   for (const auto& [command, word] : std::map<std::string, std::string>{
            {"circle_patterns -domain=spere" + both, "did you mean 'sphere'"},
-           {"circle_patterns -pole=3" + both, "-domain=sphere only"},
+           {"circle_patterns -pole=3" + both, "takes no --pole"},
            {"circle_patterns -domain=sphere -pole=0x" + both, "pole"},
-           {"circle_patterns -domain=sphere -pole=1000" + both, "counted from 1"},
-           {"circle_patterns -domain=sphere -pole=-1" + both, "counted from 1"},
+           {"circle_patterns -domain=sphere -pole=1000" + both, "no face has vertex 1000"},
+           {"circle_patterns -domain=sphere -pole=-1" + both, "vertices 1 to"},
            {"circle_patterns -domain=sphere -normalization=unifrom" + both, "did you mean"},
            {"circle_patterns -domain=sphere -triangulation=inptu" + both, "did you mean"},
            {"circle_patterns -domain=sphere -layout=direction" + both, "did you mean"},
-           {"circle_patterns -domain=sphere -iv cones" + both, "-iv does not go"},
+           {"circle_patterns -domain=sphere -iv cones" + both, "takes no --iv"},
            {"circle_patterns -domain=sphere -latlong=x.ply" + both, ".obj"},
            {"circle_patterns -domain=sphere -io " + in + " -oo " + folder_.Path("x.png"), ".ply"},
            {"circle_patterns -domain=sphere -io " + torus + " -oo " + out, "genus 1"},

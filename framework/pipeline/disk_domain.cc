@@ -1,0 +1,222 @@
+// Maps of topological disks to the unit disk and to the half-plane (domain.h says how).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/metrics/injectivity.h"
+#include "cirque/metrics/mapped_faces.h"
+#include "cirque/pipeline/disk_placement.h"
+#include "cirque/pipeline/domain.h"
+#include "cirque/pipeline/half_plane_chart.h"
+#include "cirque/pipeline/map_measures.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxDoublings = 60;  ///< of the pole's height
+constexpr double kSpreads[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
+
+Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
+  const std::vector<std::string> known = {"none", "boundary", "area"};
+  if (std::find(known.begin(), known.end(), domain.normalization) == known.end()) {
+    return Status::InvalidInput(UnknownName("normalization", domain.normalization, known));
+  }
+  if (domain.normalization != "none" && domain.centre != kNone) {
+    return Status::InvalidInput("a centre vertex and a normalization exclude each other");
+  }
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  if (domain.centre != kNone && boundary[domain.centre]) {
+    return Status::InvalidInput(fmt::format(
+        "vertex {} (0-based) lies on the boundary and cannot be the centre", domain.centre));
+  }
+  if (domain.angle_zero != kNone && !boundary[domain.angle_zero]) {
+    return Status::InvalidInput(
+        fmt::format("vertex {} (0-based) is no boundary vertex and cannot lie at angle zero",
+                    domain.angle_zero));
+  }
+  return Status();
+}
+
+Status Unrepresentable(const std::string& what) {
+  return Status(StatusCode::kUnrepresentable, "the map exists but " + what +
+                                                  " of double coordinates do not tell its vertices "
+                                                  "apart; a rectangle or the plane may hold it");
+}
+
+void Put(const std::map<std::string, double>& values, Certificate* certificate) {
+  for (const auto& [name, value] : values) certificate->values[name] = value;
+}
+
+double FileNumber(const Surface& surface, Index v) {
+  return v == kNone ? -1 : surface.soup_vertex[v];
+}
+
+void Certify(const Surface& surface, const HalfPlaneChart& chart, const DiskPlacement& disk,
+             double spread, Certificate* certificate) {
+  double circle_error = 0;
+  for (const Index v : chart.disk.loop) {
+    circle_error = std::max(circle_error, std::abs(std::abs(disk.position()[v]) - 1));
+  }
+  const auto overhang = std::count(chart.disk.core.begin(), chart.disk.core.end(), false);
+  Put({{"pole_vertex", FileNumber(surface, chart.disk.pole)},
+       {"centre_vertex", FileNumber(surface, disk.centre())},
+       {"angle_zero_vertex", FileNumber(surface, disk.angle_zero())},
+       {"overhanging_faces", static_cast<double>(overhang)},
+       {"boundary_spread", spread},
+       {"boundary_straightness", chart.straightness},
+       {"boundary_circle_error", circle_error},
+       {"boundary_centre_of_mass", disk.BoundaryCentreOfMass()},
+       {"area_centre_of_mass", disk.AreaCentreOfMass()},
+       {"flipped_triangles", 0}},
+      certificate);
+  if (disk.centre() != kNone) {
+    certificate->values["centre_error"] = std::abs(disk.position()[disk.centre()]);
+  }
+}
+
+/// Distortion of what was solved alone: a face with all corners on the circle cannot but be flat.
+void MeasureCore(const Surface& surface, const std::vector<bool>& core, Parameterization* result) {
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, result->uv);
+  double sum = 0, area = 0, largest = 1;
+  for (Index i = 0; i < faces.num_faces(); ++i) {
+    if (!core[faces.face[i]]) continue;
+    const double quasi_conformal = faces.sigma_max[i] / faces.sigma_min[i];
+    sum += faces.area[i] * quasi_conformal;
+    area += faces.area[i];
+    largest = std::max(largest, quasi_conformal);
+  }
+  Put({{"core_quasi_conformal_mean", sum / area}, {"core_quasi_conformal_max", largest}},
+      &result->certificate);
+}
+
+void Deliver(const Surface& surface, CornerUv uv, Parameterization* result) {
+  const Triangulation& t = surface.triangulation;
+  result->uv = std::move(uv);
+  result->cut.edge.assign(t.num_edges(), false);
+  const Timer timer;
+  PutMeasures(t, MeasureEdgeLengths(surface), result);
+  result->certificate.seconds["measures"] = timer.Seconds();
+}
+
+/// The share of spreading that distorts least among those that flip no triangle: the area-weighted
+/// mean of log(quasi-conformal distortion).
+double SpreadBest(const Surface& surface, const HalfPlaneChart& chart, DiskPlacement* disk) {
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  double best = 1, least = std::numeric_limits<double>::infinity();
+  for (const double share : kSpreads) {
+    if (!disk->Spread(chart, share).empty()) continue;
+    const CornerUv uv = disk->Uv();
+    const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, uv);
+    const Eigen::ArrayXd quasi_conformal = faces.sigma_max.array() / faces.sigma_min.array();
+    const double mean = faces.area.dot(quasi_conformal.log().matrix());
+    if (mean < least) best = share;
+    least = std::min(least, mean);
+  }
+  return best;
+}
+
+Status RunDisk(const Surface& surface, const DomainOptions& domain,
+               const ParameterizeOptions& options, const SolveControl& control,
+               Parameterization* result) {
+  const Triangulation& t = surface.triangulation;
+  if (Status s = CheckIsDisk(t); !s.ok()) return s;
+  if (Status s = CheckDiskOptions(t, domain); !s.ok()) return s;
+  DiskPlacement disk(surface, domain, control);
+  HalfPlaneChart chart;
+  bool clean = false;
+  const Status status = SolveHalfPlaneChart(
+      surface, domain.pole, options, control,
+      [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &result->certificate, &chart,
+      &clean);
+  if (!status.ok()) return status;
+  const double spread = clean ? 0 : SpreadBest(surface, chart, &disk);
+  if (!clean && !disk.Spread(chart, spread).empty())
+    return Unrepresentable("points of the unit disk");
+  Certify(surface, chart, disk, spread, &result->certificate);
+  Deliver(surface, disk.Uv(), result);
+  MeasureCore(surface, chart.disk.core, result);
+  return Status();
+}
+
+std::vector<Index> FlippedFrom(const Triangulation& t, const HalfPlaneChart& chart, double height,
+                               CornerUv* uv) {
+  uv->value.clear();
+  for (const Index v : t.vertex) {
+    const Complex z = v == chart.disk.pole ? Complex(0.5, height) : chart.position[v];
+    uv->value.emplace_back(z.real(), z.imag());
+  }
+  return FlippedFaces(t, *uv);
+}
+
+/// The height of the pole, and the flipped faces that no height avoids.
+double RaisePole(const Triangulation& t, const HalfPlaneChart& chart, CornerUv* uv,
+                 std::vector<Index>* flipped) {
+  double height = 1;
+  for (int i = 0; i < kMaxDoublings; ++i, height *= 2) {
+    *flipped = FlippedFrom(t, chart, height, uv);
+    if (flipped->empty()) break;
+  }
+  return height;
+}
+
+Status RunHalfPlane(const Surface& surface, const DomainOptions& domain,
+                    const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result) {
+  const Triangulation& t = surface.triangulation;
+  if (Status s = CheckIsDisk(t); !s.ok()) return s;
+  const std::vector<bool> core = LargestChordlessPiece(t);
+  const auto overhang = std::count(core.begin(), core.end(), false);
+  if (overhang > 0 || t.num_faces() == 1) {
+    return Status::InvalidInput(
+        fmt::format("{} faces lie beyond edges that join two boundary vertices, face {} (0-based) "
+                    "among them: a "
+                    "straight boundary leaves them no area; split those edges, or map to the disk",
+                    overhang, std::find(core.begin(), core.end(), false) - core.begin()));
+  }
+  HalfPlaneChart chart;
+  CornerUv uv;
+  bool clean = false;
+  double height = 1;
+  const auto flips = [&](const HalfPlaneChart& tried) {
+    std::vector<Index> flipped;
+    height = RaisePole(t, tried, &uv, &flipped);
+    return flipped;
+  };
+  const Status status = SolveHalfPlaneChart(surface, domain.pole, options, control, flips,
+                                            &result->certificate, &chart, &clean);
+  if (!status.ok()) return status;
+  if (!clean) return Unrepresentable("points of the half-plane");
+  Put({{"pole_vertex", FileNumber(surface, chart.disk.pole)},
+       {"pole_height", height},
+       {"boundary_straightness", chart.straightness},
+       {"flipped_triangles", 0}},
+      &result->certificate);
+  Deliver(surface, std::move(uv), result);
+  return Status();
+}
+
+}  // namespace
+
+Status MapToHalfPlane(const Surface& surface, const DomainOptions& domain,
+                      const ParameterizeOptions& options, const SolveControl& control,
+                      Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  return Conclude(RunHalfPlane(surface, domain, options, control, result), timer,
+                  &result->certificate);
+}
+
+Status MapToDisk(const Surface& surface, const DomainOptions& domain,
+                 const ParameterizeOptions& options, const SolveControl& control,
+                 Parameterization* result) {
+  *result = Parameterization();
+  const Timer timer;
+  return Conclude(RunDisk(surface, domain, options, control, result), timer, &result->certificate);
+}
+
+}  // namespace cirque

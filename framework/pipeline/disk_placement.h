@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "cirque/layout/disk_positions.h"
+#include "cirque/mesh/surface.h"
+#include "cirque/pipeline/domain.h"
+#include "cirque/pipeline/half_plane_chart.h"
+
+namespace cirque {
+
+/// Puts the vertices of a topological disk into the unit disk (domain.h), from a chart in the
+/// half-plane.
+class DiskPlacement {
+ public:
+  DiskPlacement(const Surface& surface, const DomainOptions& domain, const SolveControl& control);
+
+  /// By the Moebius map that the options ask for; returns the flipped faces.
+  std::vector<Index> Place(const HalfPlaneChart& chart);
+
+  /// From the chart's boundary lengths alone, with the boundary spread out by a share in (0, 1] and
+  /// everything inside embedded convexly; a vertex is the centre then, whatever the options ask
+  /// for.
+  std::vector<Index> Spread(const HalfPlaneChart& chart, double share);
+
+  const std::vector<Complex>& position() const { return position_; }
+  Index centre() const { return centre_; }  ///< kNone: a centre of mass is at 0
+  Index angle_zero() const { return angle_zero_; }
+  CornerUv Uv() const;
+  double BoundaryCentreOfMass() const;
+  double AreaCentreOfMass() const;
+
+ private:
+  bool InCore(Index v) const;
+  ExtendedComplex InChart(Index v) const;
+  Complex AmidTheSurface() const;
+  void PlaceOverhangingBoundary(Complex start);
+  Complex ChooseCentre(Complex start);
+  WeightedPoints PointsOf(const std::string& normalization) const;
+  Index NearestToCentre(Complex c) const;
+  std::vector<double> AnglesFromLengths() const;
+  bool Embed(const std::vector<bool>& fixed);
+  bool RecentreAndEmbed();
+  std::vector<Index> Finish();
+  std::vector<Index> AllFaces() const;
+
+  const Surface& surface_;
+  const Triangulation& t_;
+  const DomainOptions& domain_;
+  const SolveControl& control_;
+  const EdgeLengths lengths_;
+  const std::vector<bool> on_boundary_;
+  const Eigen::VectorXd weights_;      ///< of edges, for convex embeddings
+  std::vector<double> area_, length_;  ///< shares per vertex: of area, of the boundary's length
+  HalfPlaneChart chart_;
+  std::vector<Complex> position_;  ///< per vertex
+  Index centre_ = kNone, angle_zero_ = kNone;
+};
+
+}  // namespace cirque

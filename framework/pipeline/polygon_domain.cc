@@ -1,0 +1,240 @@
+// Maps of topological disks to polygons with given angles (domain.h says how).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/math/moebius.h"
+#include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/domain.h"
+#include "cirque/pipeline/half_plane_chart.h"
+
+namespace cirque {
+namespace {
+
+std::vector<Index> BoundaryVerticesInOrder(const Triangulation& t) {
+  std::vector<Index> vertices = BoundaryLoops(t).front();
+  for (Index& h : vertices) h = t.Tail(h);
+  return vertices;
+}
+
+/// Sorts the corners along the boundary, the first one staying first.
+Status SortCorners(const std::vector<Index>& loop, std::vector<Index>* corners) {
+  std::vector<Index> sorted;
+  const auto first = std::find(loop.begin(), loop.end(), corners->front());
+  for (std::size_t i = 0; first != loop.end() && i < loop.size(); ++i) {
+    const Index v = loop[(static_cast<std::size_t>(first - loop.begin()) + i) % loop.size()];
+    if (std::count(corners->begin(), corners->end(), v) == 1) sorted.push_back(v);
+  }
+  if (sorted.size() == corners->size()) {
+    *corners = sorted;
+    return Status();
+  }
+  return Status::InvalidInput(fmt::format(
+      "corners {} (0-based) must be different vertices of the boundary", IdList(*corners)));
+}
+
+/// The boundary vertices nearest to the corners of a regular polygon in the unit disk; those with
+/// one triangle, which can be nothing but corners, first.
+std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& in_disk,
+                                        int sides) {
+  std::vector<Complex> place(t.num_vertices);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    place[t.vertex[h]] = {in_disk.value[h].x(), in_disk.value[h].y()};
+  }
+  const std::vector<Index> triangles = CornersPerVertex(t), loop = BoundaryVerticesInOrder(t);
+  std::vector<Index> ears;
+  std::copy_if(loop.begin(), loop.end(), std::back_inserter(ears),
+               [&](Index v) { return triangles[v] == 1; });
+  std::vector<Complex> wanted;
+  for (int k = 0; k < sides; ++k) {
+    wanted.push_back(std::polar(1.0, 2 * kPi * k / sides) *
+                     place[ears.empty() ? loop[0] : ears[0]]);
+  }
+  std::vector<Index> corners;
+  const auto take = [&](auto vertex, auto place_of) {
+    corners.push_back(*vertex);
+    wanted.erase(place_of);
+  };
+  for (auto ear = ears.begin(); ear != ears.end() && !wanted.empty(); ++ear) {
+    take(ear, std::min_element(wanted.begin(), wanted.end(), [&](Complex a, Complex b) {
+           return std::abs(place[*ear] - a) < std::abs(place[*ear] - b);
+         }));
+  }
+  while (!wanted.empty()) {
+    const auto distance = [&](Index v) {
+      const bool taken = std::find(corners.begin(), corners.end(), v) != corners.end();
+      return taken ? std::numeric_limits<double>::infinity() : std::abs(place[v] - wanted.front());
+    };
+    take(std::min_element(loop.begin(), loop.end(),
+                          [&](Index a, Index b) { return distance(a) < distance(b); }),
+         wanted.begin());
+  }
+  return corners;
+}
+
+StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const DomainOptions& domain,
+                                           const ParameterizeOptions& options,
+                                           const SolveControl& control, Certificate* certificate) {
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index> loop = BoundaryVerticesInOrder(t);
+  std::vector<Index> corners = domain.corners;
+  const auto count = corners.empty() ? static_cast<std::size_t>(domain.sides) : corners.size();
+  if (count < 3 || count > loop.size()) {
+    return Status::InvalidInput(
+        fmt::format("a polygon of {} corners; give 3 or more, at most the {} vertices of the "
+                    "boundary",
+                    count, loop.size()));
+  }
+  if (corners.empty()) {
+    Parameterization disk;
+    const Status status = MapToDisk(surface, {}, options, control, &disk);
+    certificate->seconds["corners"] = disk.certificate.seconds["total"];
+    if (!status.ok()) return status.In("choosing corners by a map to the disk");
+    corners = NearlyRegularCorners(t, disk.uv, domain.sides);
+  }
+  if (Status s = SortCorners(loop, &corners); !s.ok()) return s;
+  return corners;
+}
+
+/// Straight but at the corners, which have equal angles.
+ConeTargets PolygonTargets(const Triangulation& t, const std::vector<Index>& corners) {
+  ConeTargets targets = FreeBoundaryTargets(t);
+  for (const Index v : BoundaryVerticesInOrder(t)) targets.lower[v] = targets.upper[v] = kPi;
+  const double angle = kPi * (1 - 2 / static_cast<double>(corners.size()));
+  for (const Index v : corners) targets.lower[v] = targets.upper[v] = angle;
+  return targets;
+}
+
+/// Where the layout has the vertices.
+std::vector<Complex> Places(const Triangulation& t, const CornerUv& uv) {
+  std::vector<Complex> place(t.num_vertices);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    place[t.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
+  }
+  return place;
+}
+
+/// Turns and scales, corner 0 to 0 and corner 1 to 1.
+void Align(const std::vector<Index>& corners, std::vector<Complex>* place) {
+  const Complex origin = (*place)[corners[0]], side = (*place)[corners[1]] - origin;
+  for (Complex& z : *place) z = (z - origin) / side;
+}
+
+/// Puts the four sides exactly onto [0, m] x [0, 1]; returns m and by how far opposite sides
+/// differed.
+std::pair<double, double> SnapToRectangle(const Triangulation& t, const std::vector<Index>& corners,
+                                          std::vector<Complex>* place) {
+  std::vector<Complex>& z = *place;
+  const auto side = [&](int k) { return std::abs(z[corners[(k + 1) % 4]] - z[corners[k]]); };
+  const double width = 0.5 * (side(0) + side(2)), height = 0.5 * (side(1) + side(3));
+  const double mismatch =
+      std::max(std::abs(side(0) - side(2)) / width, std::abs(side(1) - side(3)) / height);
+  const double modulus = width / height;
+  for (Complex& p : z) p /= height;
+  std::vector<Index> loop = BoundaryVerticesInOrder(t);
+  std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), corners[0]), loop.end());
+  int on = -1;  // side
+  for (const Index v : loop) {
+    const bool is_corner = std::find(corners.begin(), corners.end(), v) != corners.end();
+    if (is_corner) ++on;
+    Complex& p = z[v];
+    if (on == 0 || on == 2) p.imag(on == 0 ? 0 : 1);
+    if (on == 1 || on == 3) p.real(on == 1 ? modulus : 0);
+    if (is_corner) p = {on == 1 || on == 2 ? modulus : 0.0, on >= 2 ? 1.0 : 0.0};
+  }
+  return {modulus, mismatch};
+}
+
+void Certify(const Surface& surface, const std::vector<Index>& corners,
+             const std::vector<Complex>& place, Certificate* certificate) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double side = std::abs(place[corners[(k + 1) % corners.size()]] - place[corners[k]]);
+    shortest = std::min(shortest, side);
+    longest = std::max(longest, side);
+    certificate->values[fmt::format("corner_vertex_{}", k)] = surface.soup_vertex[corners[k]];
+  }
+  certificate->values["shortest_side"] = shortest;
+  certificate->values["longest_side"] = longest;
+}
+
+Status Refuse(const Status& status, Parameterization* result) {
+  result->certificate.outcome = ToString(status.code());
+  result->certificate.message = status.message();
+  return status;
+}
+
+Status Map(const Surface& surface, const DomainOptions& domain, const ParameterizeOptions& options,
+           const SolveControl& control, bool rectangle, Parameterization* result) {
+  const Triangulation& t = surface.triangulation;
+  *result = Parameterization();
+  if (Status s = CheckIsDisk(t); !s.ok()) return Refuse(s, result);
+  Certificate choice;
+  const auto corners = ChooseCorners(surface, domain, options, control, &choice);
+  if (!corners.ok()) return Refuse(corners.status(), result);
+  const Status status =
+      Parameterize(surface, PolygonTargets(t, *corners), nullptr, options, control, result);
+  result->certificate.seconds.merge(choice.seconds);
+  if (!status.ok()) return status;
+  std::vector<Complex> place = Places(t, result->uv);
+  Align(*corners, &place);
+  if (rectangle) {
+    const auto [modulus, mismatch] = SnapToRectangle(t, *corners, &place);
+    result->certificate.values["conformal_modulus"] = modulus;
+    result->certificate.values["opposite_side_mismatch"] = mismatch;
+  }
+  Certify(surface, *corners, place, &result->certificate);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    result->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
+  }
+  const std::vector<Index> flipped = FlippedFaces(t, result->uv);
+  result->certificate.values["flipped_triangles"] = static_cast<double>(flipped.size());
+  if (flipped.empty()) return status;
+  result->uv.value.clear();
+  return Refuse(
+      Status(StatusCode::kUnrepresentable,
+             fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
+                         IdList(flipped, 5))),
+      result);
+}
+
+}  // namespace
+
+Status MapToRectangle(const Surface& surface, const DomainOptions& domain,
+                      const ParameterizeOptions& options, const SolveControl& control,
+                      Parameterization* result) {
+  DomainOptions four = domain;
+  four.sides = 4;
+  if (!domain.corners.empty() && domain.corners.size() != 4) {
+    *result = Parameterization();
+    return Refuse(Status::InvalidInput(
+                      fmt::format("a rectangle has 4 corners, not {}", domain.corners.size())),
+                  result);
+  }
+  return Map(surface, four, options, control, true, result);
+}
+
+Status MapToPolygon(const Surface& surface, const DomainOptions& domain,
+                    const ParameterizeOptions& options, const SolveControl& control,
+                    Parameterization* result) {
+  return Map(surface, domain, options, control, false, result);
+}
+
+Status MapToExteriorAngles(const Surface& surface, const ConeTargets& targets,
+                           const ParameterizeOptions& options, const SolveControl& control,
+                           Parameterization* result) {
+  const Triangulation& t = surface.triangulation;
+  const ConeTargets free = FreeBoundaryTargets(t);
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  ConeTargets straight = targets;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const bool is_free = targets.lower[v] == free.lower[v] && targets.upper[v] == free.upper[v];
+    if (boundary[v] && is_free) straight.lower[v] = straight.upper[v] = kPi;
+  }
+  return Parameterize(surface, straight, nullptr, options, control, result);
+}
+
+}  // namespace cirque

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "cirque/math/moebius.h"
+#include "cirque/mesh/known_maps.h"
+#include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/domain.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+std::vector<Complex> Places(const Surface& surface, const Parameterization& map) {
+  std::vector<Complex> place(surface.triangulation.num_vertices);
+  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
+    place[surface.triangulation.vertex[h]] = {map.uv.value[h].x(), map.uv.value[h].y()};
+  }
+  return place;
+}
+
+Parameterization MapTo(const Surface& surface, const DomainOptions& domain = {},
+                       StatusCode wanted = StatusCode::kOk) {
+  Parameterization map;
+  const Status status = MapToDisk(surface, domain, {}, {}, &map);
+  EXPECT_EQ(status.code(), wanted) << status.message();
+  EXPECT_EQ(map.certificate.outcome, ToString(wanted));
+  return map;
+}
+
+Index SomeVertex(const Surface& surface, bool boundary, int which = 0) {
+  const std::vector<bool> on = BoundaryVertices(surface.triangulation);
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    if (on[v] == boundary && which-- == 0) return v;
+  }
+  return kNone;
+}
+
+/// On the circle, counter-clockwise once round, nothing flipped.
+void ExpectDisk(const Surface& surface, const Parameterization& map) {
+  const Triangulation& t = surface.triangulation;
+  ASSERT_EQ(map.uv.value.size(), t.vertex.size());
+  EXPECT_TRUE(FlippedFaces(t, map.uv).empty());
+  EXPECT_EQ(map.certificate.overlap, "injective");
+  const std::vector<Complex> place = Places(surface, map);
+  double turned = 0;
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  for (const Index h : loop) {
+    EXPECT_NEAR(std::abs(place[t.Tail(h)]), 1, 1e-15);
+    const double step = std::arg(place[t.Tip(h)] / place[t.Tail(h)]);
+    EXPECT_NE(step, 0);
+    turned += step < 0 ? step + 2 * kPi : step;
+  }
+  EXPECT_NEAR(turned, 2 * kPi, 1e-9);
+}
+
+TEST(DiskDomain, GeneratedDisksOfManyShapes) {
+  for (const char* name : {"bumpy_terrain", "spherical_cap", "enneper_patch", "hemisphere",
+                           "capped_tube", "hexagonal_fan", "flat_delaunay_patch"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = GeneratedSurface(name, 600);
+    const Parameterization map = MapTo(surface);
+    ExpectDisk(surface, map);
+    EXPECT_EQ(map.certificate.values.at("boundary_spread"), 0);
+    EXPECT_LT(map.certificate.values.at("core_quasi_conformal_mean"), 1.35);
+    EXPECT_LT(map.certificate.values.at("boundary_straightness"), 1e-10);
+  }
+}
+
+TEST(DiskDomain, ChosenCentreAndAngleZeroAreExact) {
+  const Surface surface = GeneratedSurface("bumpy_terrain", 500);
+  DomainOptions domain;
+  domain.centre = SomeVertex(surface, false, 40);
+  domain.angle_zero = SomeVertex(surface, true, 9);
+  const Parameterization map = MapTo(surface, domain);
+  ExpectDisk(surface, map);
+  const std::vector<Complex> place = Places(surface, map);
+  EXPECT_EQ(place[domain.centre], Complex(0));
+  EXPECT_EQ(place[domain.angle_zero], Complex(1));
+  EXPECT_EQ(map.certificate.values.at("centre_vertex"), domain.centre);
+}
+
+TEST(DiskDomain, PolesGiveTheSameMapUpToTurningAndDiscretization) {
+  const Surface surface = GeneratedSurface("hemisphere", 1500);
+  DomainOptions domain;
+  domain.centre = SomeVertex(surface, false, 100);
+  std::vector<std::vector<Complex>> places;
+  for (const int which : {0, 10, 25}) {
+    domain.pole = SomeVertex(surface, true, which);
+    places.push_back(Places(surface, MapTo(surface, domain)));
+  }
+  for (const std::size_t other : {1, 2}) {
+    Complex turn = 0;
+    for (std::size_t v = 0; v < places[0].size(); ++v) {
+      turn += places[0][v] * std::conj(places[other][v]);
+    }
+    turn /= std::abs(turn);
+    double sum = 0;
+    for (std::size_t v = 0; v < places[0].size(); ++v) {
+      sum += std::norm(places[0][v] - turn * places[other][v]);
+    }
+    // Boundary edges are 0.08 long; the poles were taken as they came, well shaped or not.
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(places[0].size())), 0.03);
+  }
+}
+
+TEST(DiskDomain, HemisphereComesNearItsStereographicImage) {
+  const Surface surface = GeneratedSurface("hemisphere", 4000);
+  const Parameterization map = MapTo(surface);
+  const auto centre = static_cast<Index>(map.certificate.values.at("centre_vertex"));
+  const auto zero = static_cast<Index>(map.certificate.values.at("angle_zero_vertex"));
+  const auto known = [&](Index v) {
+    const Eigen::Vector2d w = StereographicMap().to_plane(surface.position[v]);
+    return Complex(w.x(), w.y());
+  };
+  const Moebius centring = Moebius::DiskAutomorphism(known(centre));
+  const Complex turn = std::conj(centring(known(zero)).value);
+  const std::vector<Complex> place = Places(surface, map);
+  double sum = 0;
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    sum += std::norm(place[v] - turn * centring(known(v)).value);
+  }
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(place.size())), 5e-3);
+}
+
+TEST(DiskDomain, NormalizationsCentreTheirMasses) {
+  const Surface surface = GeneratedSurface("enneper_patch", 600);
+  DomainOptions domain;
+  for (const char* name : {"boundary", "area"}) {
+    domain.normalization = name;
+    const Parameterization map = MapTo(surface, domain);
+    ExpectDisk(surface, map);
+    const auto& values = map.certificate.values;
+    EXPECT_LT(values.at(std::string(name) + "_centre_of_mass"), 1e-14) << name;
+  }
+  // The boundary's centre of mass without the program's own sum, weighted by half of either edge.
+  domain.normalization = "boundary";
+  const std::vector<Complex> place = Places(surface, MapTo(surface, domain));
+  Complex sum = 0;
+  double total = 0;
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  for (const Index h : loop) {
+    const double length = (surface.position[t.Tail(h)] - surface.position[t.Tip(h)]).norm();
+    sum += length * (place[t.Tail(h)] + place[t.Tip(h)]);
+    total += 2 * length;
+  }
+  EXPECT_LT(std::abs(sum) / total, 1e-14);
+}
+
+TEST(DiskDomain, MirroredSurfaceGivesTheMirroredMap) {
+  // Orientation is kept: a mesh seen from the other side has the complex conjugate as its map.
+  Surface surface = GeneratedSurface("bumpy_terrain", 300);
+  DomainOptions domain;
+  domain.centre = SomeVertex(surface, false, 30);
+  domain.angle_zero = SomeVertex(surface, true, 2);
+  domain.pole = SomeVertex(surface, true, 7);
+  const std::vector<Complex> before = Places(surface, MapTo(surface, domain));
+  Triangulation& t = surface.triangulation;
+  std::vector<Index> vertex(t.vertex), twin(t.twin);
+  const auto mirrored = [](Index h) { return h % 3 == 0 ? h : (h % 3 == 1 ? h + 1 : h - 1); };
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    vertex[mirrored(h)] = t.vertex[h];
+    twin[mirrored(h)] = t.twin[h] == kNone ? kNone : mirrored(t.twin[h]);
+  }
+  t = NumberEdges(t.num_vertices, vertex, twin);
+  const std::vector<Complex> after = Places(surface, MapTo(surface, domain));
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    EXPECT_LT(std::abs(after[v] - std::conj(before[v])), 1e-8);
+  }
+}
+
+TEST(DiskDomain, SmallestDisksAreMapped) {
+  const Surface fan = Fan(3, 0.4);
+  ExpectDisk(fan, MapTo(fan));
+  const Surface larger = Fan(7, 0.4);
+  ExpectDisk(larger, MapTo(larger));
+}
+
+TEST(DiskDomain, WhatIsNoDiskOrNoSuchVertexIsRefused) {
+  MapTo(GeneratedSurface("annulus", 100), {}, StatusCode::kInvalidInput);
+  MapTo(GeneratedSurface("sphere", 100), {}, StatusCode::kInvalidInput);
+  const Surface surface = GeneratedSurface("hexagonal_fan", 50);
+  DomainOptions domain;
+  domain.centre = SomeVertex(surface, true);
+  MapTo(surface, domain, StatusCode::kInvalidInput);
+  domain = {};
+  domain.angle_zero = domain.pole = SomeVertex(surface, false);
+  MapTo(surface, domain, StatusCode::kInvalidInput);
+  domain = {};
+  domain.pole = SomeVertex(surface, false);
+  MapTo(surface, domain, StatusCode::kInvalidInput);
+  domain = {};
+  domain.normalization = "are";
+  MapTo(surface, domain, StatusCode::kInvalidInput);
+}
+
+TEST(DiskDomain, LongLimbIsSpreadAndStillNotFlipped) {
+  // A strip 60 times as long as wide: the ends' images differ by e^-90 of the middle's.
+  const Surface strip = FlatStrip(240, 4);
+  const Parameterization map = MapTo(strip);
+  ExpectDisk(strip, map);
+  EXPECT_GT(map.certificate.values.at("boundary_spread"), 0);
+}
+
+TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
+  const Surface surface = GeneratedSurface("hemisphere", 500);
+  Parameterization map;
+  ASSERT_TRUE(MapToHalfPlane(surface, {}, {}, {}, &map).ok());
+  EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
+  const std::vector<Complex> place = Places(surface, map);
+  const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
+  const auto pole = static_cast<Index>(map.certificate.values.at("pole_vertex"));
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    if (boundary[v] && v != pole) {
+      EXPECT_EQ(place[v].imag(), 0);
+    } else {
+      EXPECT_GT(place[v].imag(), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cirque
