@@ -56,9 +56,8 @@ PolygonSoup SubdivideOnce(const PolygonSoup& soup) {
                              m[1], m[0], v[2], m[0], m[1], m[2]};
     fine.corner.insert(fine.corner.end(), std::begin(corners), std::end(corners));
   }
-  fine.first_corner.resize(fine.corner.size() / 3 + 1);
-  for (std::size_t f = 0; f < fine.first_corner.size(); ++f) {
-    fine.first_corner[f] = static_cast<Index>(3 * f);
+  for (std::size_t c = 3; c <= fine.corner.size(); c += 3) {
+    fine.first_corner.push_back(static_cast<Index>(c));
   }
   return fine;
 }

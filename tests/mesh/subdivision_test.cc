@@ -1,5 +1,6 @@
 #include "cirque/mesh/subdivision.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "cirque/mesh/corner_angles.h"
