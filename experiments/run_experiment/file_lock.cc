@@ -15,7 +15,7 @@
 namespace cirque {
 namespace {
 
-constexpr int kAttempts = 40;
+constexpr int kAttempts = 20;
 constexpr std::chrono::milliseconds kPause(50);
 
 }  // namespace
