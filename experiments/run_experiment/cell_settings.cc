@@ -62,6 +62,7 @@ void ApplyCellSettings(const YAML::Node& document, bool some_skipped, Diagnostic
                        ExperimentConfig* config) {
   std::vector<Cell>& cells = config->cells;
   if (!some_skipped) CheckPatterns(document, cells, problems);
+  if (!problems->empty()) return;
   const auto include = ItemsOf(document["include"]), exclude = ItemsOf(document["exclude"]);
   std::erase_if(cells, [&](const Cell& cell) {
     return (!include.empty() && !IsNamed(include, cell)) || IsNamed(exclude, cell);

@@ -64,7 +64,7 @@ struct Streams {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kCannotExec);
   signal(SIGINT, SIG_IGN);
-  signal(SIGTERM, SIG_DFL);
+  signal(SIGTERM, SIG_IGN);
   dup2(streams.input, STDIN_FILENO);
   dup2(streams.output, STDOUT_FILENO);
   dup2(streams.errors, STDERR_FILENO);
@@ -132,6 +132,10 @@ double ChildProcess::ResidentMib() const {
   double size = 0, resident = 0;
   if (!(statm >> size >> resident)) return 0;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+bool ChildProcess::WasKilled() const {
+  return WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL;
 }
 
 bool ChildProcess::Succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }

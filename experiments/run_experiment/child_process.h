@@ -11,8 +11,8 @@
 namespace cirque {
 
 /// A program as a child of this process: reads `input`, and keeps what it prints. It ends with this
-/// process, however that ends; Ctrl-C at the terminal does not reach it. BLAS uses one thread in it
-/// unless the environment says otherwise.
+/// process, however that ends; what asks this process to stop (Ctrl-C, SIGTERM to all processes of
+/// a cluster's job) it ignores. BLAS uses one thread in it unless the environment says otherwise.
 class ChildProcess {
  public:
   /// `command[0]` is the path of the program.
@@ -29,8 +29,10 @@ class ChildProcess {
   double Seconds() const { return timer_.Seconds(); }  ///< since its start
   double ResidentMib() const;                          ///< now; 0 where it has ended
 
-  /// Once it has ended: whether it ended by itself with status 0, and how it ended, for a message.
+  /// Once it has ended: whether it ended by itself with status 0, or was killed, and how it ended,
+  /// for a message.
   bool Succeeded() const;
+  bool WasKilled() const;  ///< by SIGKILL
   std::string HowItEnded() const;
 
   std::string Output() const;  ///< what it has printed so far

@@ -73,7 +73,7 @@ void PrintSummary(const RunSummary& summary, std::size_t selected, const std::st
                Plural(summary.records.size(), "record"), selected,
                FLAGS_merge ? "submitting the shards again" : "the same command");
   }
-  fmt::print("{} new, {} kept: {}\n", Plural(summary.ran, "run"),
+  fmt::print("{}, {} kept: {}\n", Plural(summary.ran, "new run"),
              summary.records.size() - summary.ran, file);
 }
 
@@ -107,15 +107,16 @@ int Run(ExperimentConfig config) {
   const StatusOr<RunnerOptions> chosen = ChooseOptions();
   if (!chosen.ok()) return Refuse(chosen.status());
   const RunnerOptions& options = *chosen;
+  const std::vector<Cell> own = SelectShard(*cells, options.shard);
   if (FLAGS_dry_run) {
-    PrintCells(SelectShard(*cells, options.shard));
+    PrintCells(own);
     return 0;
   }
   fmt::print("{}\n", config.question);
   CatchInterrupts();
   const StatusOr<RunSummary> summary = RunExperiment(config, *cells, options, ParameterizeCell);
   if (!summary.ok()) return Refuse(summary.status());
-  PrintSummary(*summary, cells->size(), config.output + "/" + options.shard.FileName());
+  PrintSummary(*summary, own.size(), config.output + "/" + options.shard.FileName());
   return summary->AllSettled() ? 0 : kSomeRunFailed;
 }
 

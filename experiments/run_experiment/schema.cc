@@ -130,7 +130,7 @@ Schema MakeSchema() {
   const std::vector<SchemaField> cells = CellFields();
   schema.insert(schema.end(), cells.begin(), cells.end());
   schema.push_back({.path = "measures",
-                    .help = "further figures of every map, one or a list: columns of the results",
+                    .help = "further figures of every map: columns of the results",
                     .list = true,
                     .choices = FigureNames()});
   schema.push_back({.path = "output",

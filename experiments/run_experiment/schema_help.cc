@@ -29,6 +29,7 @@ constexpr char kExample[] =
 std::string Notes(const SchemaField& field) {
   std::vector<std::string> notes;
   if (field.required) notes.push_back("required");
+  if (field.list) notes.push_back("one or a list");
   if (!field.one_of.empty()) notes.push_back("one such key in each entry");
   if (!field.beside.empty()) notes.push_back("beside " + Join(field.beside, " or "));
   if (!field.default_text.empty()) notes.push_back("default " + field.default_text);

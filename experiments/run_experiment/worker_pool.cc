@@ -12,6 +12,9 @@ namespace cirque {
 namespace {
 
 constexpr std::chrono::milliseconds kPause(3);
+/// Who kills a cluster's job kills all its processes, one after the other: ours is given the time
+/// to be next, before the end of a run is called a crash of its own.
+constexpr std::chrono::milliseconds kNextToBeKilled(300);
 constexpr std::size_t kLastWords = 500;  ///< of a crashed run, in its record
 
 std::string LastWords(const std::string& errors) {
@@ -32,21 +35,28 @@ std::string LimitMessage(const std::string& outcome, const RunLimits& limits, do
   return fmt::format("ended at {:.0f} MiB, its limit is {} MiB", mib, limits.memory_mib);
 }
 
-Record RecordOf(const Job& job, const ChildProcess& process) {
-  Record record = Record::parse(process.Output(), nullptr, false);
-  const bool is_whole = process.Succeeded() && record.is_object() && record.contains("outcome") &&
-                        record.value("key", "") == job.key;
-  if (is_whole) {
-    const double mib = record.value("peak_memory_mib", 0.0);
-    if (!ExceededLimit({0, job.cell.limits.memory_mib}, 0, mib)) return record;
-    Record failed = FailedRecord(
-        job, kMemoryLimit, LimitMessage(kMemoryLimit, job.cell.limits, mib), process.Seconds());
-    failed["peak_memory_mib"] = mib;
-    return failed;
-  }
+Record LimitRecord(const Job& job, const std::string& outcome, double seconds, double mib) {
+  Record record = FailedRecord(job, outcome, LimitMessage(outcome, job.cell.limits, mib), seconds);
+  record["peak_memory_mib"] = mib;
+  return record;
+}
+
+Record CrashRecord(const Job& job, const ChildProcess& process) {
+  if (process.WasKilled()) std::this_thread::sleep_for(kNextToBeKilled);
   const std::string message = fmt::format("the run's process ended by {} without a record{}",
                                           process.HowItEnded(), LastWords(process.Errors()));
   return FailedRecord(job, kCrash, message, process.Seconds());
+}
+
+Record RecordOf(const Job& job, const ChildProcess& process) {
+  Record record = Record::parse(process.Output(), nullptr, false);
+  const bool is_whole = process.Succeeded() && record.is_object() && record.contains("outcome") &&
+                        record.contains("key") && record["key"] == job.key;
+  if (!is_whole) return CrashRecord(job, process);
+  // The last moments of a run can pass between two looks at it.
+  const double mib = record.value("peak_memory_mib", 0.0);
+  if (!ExceededLimit({0, job.cell.limits.memory_mib}, 0, mib)) return record;
+  return LimitRecord(job, kMemoryLimit, process.Seconds(), mib);
 }
 
 }  // namespace
@@ -78,9 +88,7 @@ std::vector<EndedRun> WorkerPool::LookOnce() {
       record = RecordOf(run->job, run->process);
     } else if (const auto outcome = ExceededLimit(limits, seconds, run->peak_mib)) {
       run->process.Kill();
-      record =
-          FailedRecord(run->job, *outcome, LimitMessage(*outcome, limits, run->peak_mib), seconds);
-      (*record)["peak_memory_mib"] = run->peak_mib;
+      record = LimitRecord(run->job, *outcome, seconds, run->peak_mib);
     }
     if (!record) {
       ++run;

@@ -99,11 +99,15 @@ TEST_F(RunExperimentWorkers, ACrashIsARecordWithTheLastWords) {
             "the run's process ended by signal 11 (Segmentation fault) without a record; it said: "
             "out of luck");
   EXPECT_EQ(Run().ran, 0);
+  options_.fresh = true;
+  options_.worker = Shell("kill -KILL $$");
+  EXPECT_EQ(RunOne()["message"], "the run's process ended by signal 9 (Killed) without a record");
 }
 
 TEST_F(RunExperimentWorkers, AnythingButTheRunsOwnRecordIsACrash) {
   for (const std::string script :
-       {"exit 3", "true", "echo '{}'", "echo '{\"key\":\"x\",\"outcome\":\"ok\"}'", "echo 7"}) {
+       {"exit 3", "true", "echo '{}'", "echo '{\"key\":\"x\",\"outcome\":\"ok\"}'", "echo 7",
+        "echo '{\"key\":3,\"outcome\":\"ok\"}'"}) {
     SCOPED_TRACE(script);
     options_.fresh = true;
     options_.worker = Shell(script);
