@@ -68,7 +68,7 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
   std::printf("%s", array.output.c_str());
   ASSERT_EQ(array.exit_status, 0) << folder.Read("logs/1.log") << folder.Read("logs/2.log");
   const ProgramResult local =
-      RunProgram("run_experiment --output=" + folder.path() + "/local " + config);
+      RunProgram("run_experiment --jobs=2 --output=" + folder.path() + "/local " + config);
   ASSERT_EQ(local.exit_status, 0) << local.output;
 
   const auto found = Records(folder.Read("results/results.jsonl"));
