@@ -6,17 +6,16 @@
 namespace cirque {
 namespace {
 
-// CBOR rather than JSON text: file names need not be UTF-8.
+// CBOR rather than JSON text: file names need not be UTF-8. Every member is bound by name, so that
+// one more does not compile until it is sent along.
 
 nlohmann::json MeshToJson(const MeshSpec& mesh) {
-  return {{"name", mesh.name},
-          {"file", mesh.file},
-          {"archive", mesh.archive},
-          {"member", mesh.member},
-          {"generator", mesh.generator},
-          {"triangles", mesh.generator_options.triangles},
-          {"seed", mesh.generator_options.seed},
-          {"known_boundary", mesh.known_boundary}};
+  const auto& [name, file, archive, member, generator, options, known_boundary] = mesh;
+  const auto& [triangles, seed] = options;
+  return {{"name", name},           {"file", file},
+          {"archive", archive},     {"member", member},
+          {"generator", generator}, {"triangles", triangles},
+          {"seed", seed},           {"known_boundary", known_boundary}};
 }
 
 MeshSpec MeshFromJson(const nlohmann::json& json) {
@@ -35,10 +34,11 @@ MethodSpec MethodFromJson(const nlohmann::json& json) {
 }
 
 nlohmann::json CellToJson(const Cell& cell) {
-  return {{"mesh", MeshToJson(cell.mesh)},  {"method", MethodJson(cell.method)},
-          {"repeat", cell.repeat},          {"measures", cell.measures},
-          {"seconds", cell.limits.seconds}, {"memory_mib", cell.limits.memory_mib},
-          {"keep_map", cell.keep_map}};
+  const auto& [mesh, method, repeat, measures, limits, keep_map] = cell;
+  const auto& [seconds, memory_mib] = limits;
+  return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
+          {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
+          {"keep_map", keep_map}};
 }
 
 Cell CellFromJson(const nlohmann::json& json) {
