@@ -36,6 +36,7 @@ void Progress::Finish(const std::string& label, const Record& record) {
   fmt::print(out_, "{}[{}/{}] {}: {}, {:.2f} s{}\n", is_terminal_ ? kEraseLine : "",
              reused_ + done_, total_, label, OutcomeOf(record), TotalSeconds(record),
              message.empty() ? "" : "; " + message.substr(0, message.find('\n')));
+  if (is_terminal_ && reused_ + done_ < total_) fmt::print(out_, "{}", State());
   std::fflush(out_);
 }
 
