@@ -6,6 +6,7 @@
 extern "C" {
 void openblas_set_num_threads(int) __attribute__((weak));
 int openblas_get_num_threads() __attribute__((weak));
+char* openblas_get_config() __attribute__((weak));
 }
 
 // OpenMP's, absent where nothing uses it.
@@ -19,5 +20,7 @@ void UseOneBlasThread() {
 }
 
 int NumBlasThreads() { return openblas_get_num_threads ? openblas_get_num_threads() : 0; }
+
+std::string BlasName() { return openblas_get_config ? openblas_get_config() : "unknown"; }
 
 }  // namespace cirque

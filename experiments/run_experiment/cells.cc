@@ -1,5 +1,7 @@
 #include "experiments/run_experiment/cells.h"
 
+#include <fnmatch.h>
+
 #include <fmt/format.h>
 
 namespace cirque {
@@ -27,10 +29,20 @@ std::vector<Cell> MakeCells(const std::vector<MeshSpec>& meshes,
   return cells;
 }
 
+bool MatchesPattern(const Cell& cell, const std::string& pattern) {
+  for (const std::string& label : {cell.Label(), cell.mesh.name + "/" + cell.method.name}) {
+    if (fnmatch(pattern.c_str(), label.c_str(), 0) == 0) return true;
+  }
+  return false;
+}
+
 std::vector<Cell> SelectCells(const std::vector<Cell>& cells, const std::string& text) {
+  const bool is_pattern = text.find_first_of("*?[") != std::string::npos;
   std::vector<Cell> selected;
   for (const Cell& cell : cells) {
-    if (cell.Label().find(text) != std::string::npos) selected.push_back(cell);
+    if (is_pattern ? MatchesPattern(cell, text) : cell.Label().find(text) != std::string::npos) {
+      selected.push_back(cell);
+    }
   }
   return selected;
 }

@@ -26,12 +26,20 @@ struct MethodSpec {
   ParameterizeOptions options;
 };
 
+/// What a run may take before it is ended; 0: anything.
+struct RunLimits {
+  double seconds = 0;     ///< of wall time
+  double memory_mib = 0;  ///< resident
+};
+
 /// One run: a surface, a method, and which repeat of them this is (from 0).
 struct Cell {
   MeshSpec mesh;
   MethodSpec method;
   int repeat = 0;
   std::vector<std::string> measures = {};  ///< further figures of the map, as the config lists them
+  RunLimits limits = {};
+  bool keep_map = false;  ///< whether the mesh with its map is written to maps/
 
   /// "mesh/method", and "#2" for a second repeat: what `--only` searches and `--dry_run` lists.
   std::string Label() const;
@@ -41,7 +49,10 @@ struct Cell {
 std::vector<Cell> MakeCells(const std::vector<MeshSpec>& meshes,
                             const std::vector<MethodSpec>& methods, int repeats);
 
-/// The cells whose label contains `text`.
+/// Whether the cell's label, with or without its "#2", is the pattern, a shell's: * ? [...].
+bool MatchesPattern(const Cell& cell, const std::string& pattern);
+
+/// The cells whose label contains `text`; where that is a pattern, those whose label is it.
 std::vector<Cell> SelectCells(const std::vector<Cell>& cells, const std::string& text);
 
 }  // namespace cirque

@@ -1,6 +1,5 @@
 #include "experiments/run_experiment/config.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <glog/logging.h>
 #include <yaml-cpp/yaml.h>
 
+#include "experiments/run_experiment/cell_settings.h"
 #include "experiments/run_experiment/content_hash.h"
 #include "experiments/run_experiment/diagnostics.h"
 #include "experiments/run_experiment/matrix.h"
@@ -97,18 +97,6 @@ std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problem
   return methods;
 }
 
-std::vector<std::string> ReadMeasures(const YAML::Node& list, Diagnostics* problems) {
-  std::vector<std::string> names;
-  if (list && list.IsScalar()) return {list.Scalar()};
-  for (const YAML::Node& name : list) {
-    if (std::find(names.begin(), names.end(), name.Scalar()) != names.end()) {
-      problems->Add(PlaceOf(name), fmt::format("'{}' is listed twice", name.Scalar()));
-    }
-    names.push_back(name.Scalar());
-  }
-  return names;
-}
-
 std::string TextOr(const YAML::Node& document, const char* key, const std::string& otherwise) {
   const YAML::Node value = document[key];
   return value ? value.Scalar() : otherwise;
@@ -140,11 +128,10 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   config->question = document["question"].Scalar();
   config->notes = std::move(entries.notes);
   config->cells = MakeCells(entries.meshes, methods, repeats);
-  const std::vector<std::string> measures = ReadMeasures(document["measures"], problems);
-  for (Cell& cell : config->cells) cell.measures = measures;
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();
   if (problems->empty()) CheckCells(*config, problems);
+  if (problems->empty()) ApplyCellSettings(document, !config->notes.empty(), problems, config);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <cstring>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -11,10 +12,16 @@
 #include "experiments/run_experiment/config.h"
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/schema.h"
+#include "experiments/run_experiment/worker_pool.h"
 
 DEFINE_bool(help_config, false, "explain every key of a config and exit");
 DEFINE_bool(dry_run, false, "check the config, list its runs, write nothing");
-DEFINE_string(only, "", "make only the runs whose name (see --dry_run) contains this");
+DEFINE_string(only, "",
+              "make only the runs with this in their name, or matching the pattern (* ?)");
+DEFINE_int32(jobs, 1, "runs side by side, each a process with one BLAS thread");
+DEFINE_string(shard, "", "i/n: make only the i-th of n parts of the runs");
+DEFINE_bool(merge, false, "make no run: collect what the shards have recorded");
+DEFINE_bool(markdown, false, "with --help_config: as experiments/CONFIG.md");
 DEFINE_bool(fresh, false, "make finished runs again");
 DEFINE_string(output, "", "the folder of the results, instead of the config's");
 DECLARE_bool(help);
@@ -28,6 +35,8 @@ constexpr char kUsage[] =
     "Parameterizes every mesh of an experiment by every method of it and keeps what comes out.\n"
     "Runs that are finished already are not made again.\n\n";
 
+constexpr char kWorkerArgument[] = "--worker";
+constexpr int kMaxJobs = 1024;
 constexpr int kSomeRunFailed = 1;
 constexpr int kBadInput = 2;
 
@@ -53,18 +62,41 @@ void PrintCells(const std::vector<Cell>& cells) {
   fmt::print("{}\n", Plural(cells.size(), "run"));
 }
 
-void PrintSummary(const RunSummary& summary, std::size_t selected, const std::string& output) {
+void PrintSummary(const RunSummary& summary, std::size_t selected, const std::string& file) {
   fmt::print("\n{}\n", ToTable(summary.records));
   if (summary.skipped_lines > 0) {
     fmt::print("{} of results.jsonl could not be read and were passed over.\n",
                Plural(summary.skipped_lines, "line"));
   }
   if (summary.stopped) {
-    fmt::print("Stopped with {} of {}; the same command goes on from here.\n",
-               Plural(summary.records.size(), "record"), selected);
+    fmt::print("{} with {} of {}; {} goes on from here.\n", FLAGS_merge ? "Merged" : "Stopped",
+               Plural(summary.records.size(), "record"), selected,
+               FLAGS_merge ? "submitting the shards again" : "the same command");
   }
-  fmt::print("{} new, {} kept: {}/results.jsonl, results.csv\n", Plural(summary.ran, "run"),
-             summary.records.size() - summary.ran, output);
+  fmt::print("{}, {} kept: {}\n", Plural(summary.ran, "new run"),
+             summary.records.size() - summary.ran, file);
+}
+
+StatusOr<RunnerOptions> ChooseOptions() {
+  RunnerOptions options;
+  if (FLAGS_jobs < 1 || FLAGS_jobs > kMaxJobs) {
+    return Status::InvalidInput(
+        fmt::format("--jobs={}: expected a number from 1 to {}", FLAGS_jobs, kMaxJobs));
+  }
+  if (!FLAGS_shard.empty()) {
+    const StatusOr<Shard> shard = ParseShard(FLAGS_shard);
+    if (!shard.ok()) return shard.status();
+    options.shard = *shard;
+  }
+  if (FLAGS_merge && (!FLAGS_shard.empty() || FLAGS_fresh)) {
+    return Status::InvalidInput("--merge collects all shards: leave out --shard and --fresh");
+  }
+  options.fresh = FLAGS_fresh;
+  options.progress = stdout;
+  options.stop = [] { return FLAGS_merge || IsInterrupted(); };
+  options.jobs = FLAGS_jobs;
+  options.worker = {"/proc/self/exe", kWorkerArgument};
+  return options;
 }
 
 int Run(ExperimentConfig config) {
@@ -72,16 +104,19 @@ int Run(ExperimentConfig config) {
   for (const std::string& note : config.notes) fmt::print("{}\n", note);
   const StatusOr<std::vector<Cell>> cells = Select(config);
   if (!cells.ok()) return Refuse(cells.status());
+  const StatusOr<RunnerOptions> chosen = ChooseOptions();
+  if (!chosen.ok()) return Refuse(chosen.status());
+  const RunnerOptions& options = *chosen;
+  const std::vector<Cell> own = SelectShard(*cells, options.shard);
   if (FLAGS_dry_run) {
-    PrintCells(*cells);
+    PrintCells(own);
     return 0;
   }
   fmt::print("{}\n", config.question);
   CatchInterrupts();
-  const RunnerOptions options{FLAGS_fresh, stdout, IsInterrupted};
   const StatusOr<RunSummary> summary = RunExperiment(config, *cells, options, ParameterizeCell);
   if (!summary.ok()) return Refuse(summary.status());
-  PrintSummary(*summary, cells->size(), config.output);
+  PrintSummary(*summary, own.size(), config.output + "/" + options.shard.FileName());
   return summary->AllSettled() ? 0 : kSomeRunFailed;
 }
 
@@ -90,6 +125,7 @@ int Main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
+  if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeCell);
   const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
   if (!arguments.ok()) return Refuse(arguments.status());
   if (FLAGS_help) {
@@ -97,7 +133,7 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (FLAGS_help_config) {
-    fmt::print("{}", ConfigHelp(ConfigSchema()));
+    fmt::print("{}", FLAGS_markdown ? ConfigMarkdown(ConfigSchema()) : ConfigHelp(ConfigSchema()));
     return 0;
   }
   if (arguments->size() != 1) {

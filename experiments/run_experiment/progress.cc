@@ -24,8 +24,7 @@ Progress::Progress(std::FILE* out, int total, int reused)
 
 void Progress::Start(const std::string& label) {
   if (!is_terminal_) return;
-  fmt::print(out_, "{}[{}/{}] {} ...{}", kEraseLine, reused_ + done_ + 1, total_, label,
-             Remaining());
+  fmt::print(out_, "{}{}; {} ...", kEraseLine, State(), label);
   std::fflush(out_);
 }
 
@@ -37,15 +36,15 @@ void Progress::Finish(const std::string& label, const Record& record) {
   fmt::print(out_, "{}[{}/{}] {}: {}, {:.2f} s{}\n", is_terminal_ ? kEraseLine : "",
              reused_ + done_, total_, label, OutcomeOf(record), TotalSeconds(record),
              message.empty() ? "" : "; " + message.substr(0, message.find('\n')));
+  if (is_terminal_ && reused_ + done_ < total_) fmt::print(out_, "{}", State());
   std::fflush(out_);
 }
 
-std::string Progress::Remaining() const {
-  std::string text = failed_ > 0 ? fmt::format("  {} failed", failed_) : "";
-  if (done_ > 0) {
-    const double each = timer_.Seconds() / done_;
-    text += fmt::format("  about {:.0f} s left", each * (total_ - reused_ - done_));
-  }
+std::string Progress::State() const {
+  const int left = total_ - reused_ - done_;
+  std::string text = fmt::format("{} done, {} failed, {} left", reused_ + done_, failed_, left);
+  // Runs side by side need no count of them: this is how fast they end together.
+  if (done_ > 0) text += fmt::format(", about {:.0f} s", timer_.Seconds() / done_ * left);
   return text;
 }
 

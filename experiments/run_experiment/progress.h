@@ -10,7 +10,7 @@
 namespace cirque {
 
 /// Tells how far an experiment is: one line a run on `out`, and on a terminal also a line that is
-/// overwritten while a run goes on.
+/// overwritten, with how many runs are done, failed and left, and for about how long.
 class Progress {
  public:
   /// `out` may be null: nothing is told. `total` counts all runs, `reused` those finished before.
@@ -20,7 +20,7 @@ class Progress {
   void Finish(const std::string& label, const Record& record);
 
  private:
-  std::string Remaining() const;
+  std::string State() const;
 
   std::FILE* out_;
   bool is_terminal_;

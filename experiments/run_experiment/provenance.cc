@@ -13,6 +13,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#if __has_include(<suitesparse/SuiteSparse_config.h>)
+#include <suitesparse/SuiteSparse_config.h>
+#endif
+
 #include "cirque/core/version.h"
 
 #include "experiments/common/blas_threads.h"
@@ -36,14 +40,20 @@ std::string HostName() {
 }
 
 nlohmann::json Libraries() {
-  return {
+  nlohmann::json libraries = {
       {"ceres", CERES_VERSION_STRING},
       {"eigen",
        fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"libarchive", archive_version_string()},
+      {"blas", BlasName()},
   };
+#ifdef SUITESPARSE_MAIN_VERSION
+  libraries["suitesparse"] = fmt::format("{}.{}.{}", SUITESPARSE_MAIN_VERSION,
+                                         SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION);
+#endif
+  return libraries;
 }
 
 }  // namespace

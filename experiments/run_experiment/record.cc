@@ -1,6 +1,7 @@
 #include "experiments/run_experiment/record.h"
 
 #include <cmath>
+#include <map>
 
 #include "cirque/core/status.h"
 
@@ -16,6 +17,31 @@ nlohmann::json NumbersJson(const std::map<std::string, double>& numbers) {
     json[name] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
   }
   return json;
+}
+
+nlohmann::json HistoryJson(const std::map<std::string, std::vector<double>>& history) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [stage, gradients] : history) {
+    json[stage] = nlohmann::json::array();
+    for (const double gradient : gradients) {
+      json[stage].push_back(std::isfinite(gradient) ? nlohmann::json(gradient) : nlohmann::json());
+    }
+  }
+  return json;
+}
+
+/// Only the limits there are.
+nlohmann::json LimitsJson(const RunLimits& limits) {
+  nlohmann::json json = nlohmann::json::object();
+  if (limits.seconds > 0) json["seconds"] = limits.seconds;
+  if (limits.memory_mib > 0) json["memory_mib"] = limits.memory_mib;
+  return json;
+}
+
+/// Whether a limit is higher than the one that the record tells of; 0 is none.
+bool IsRaised(const Record& record, const char* name, double limit) {
+  const auto limits = record.value("limits", nlohmann::json::object());
+  return limit == 0 || limit > limits.value(name, 0.0);
 }
 
 }  // namespace
@@ -59,6 +85,10 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"provenance", provenance},
   };
   if (!cell.measures.empty()) record["measures"] = cell.measures;
+  if (!result.certificate.history.empty()) {
+    record["history"] = HistoryJson(result.certificate.history);
+  }
+  if (const auto limits = LimitsJson(cell.limits); !limits.empty()) record["limits"] = limits;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));
 }
@@ -69,8 +99,12 @@ std::string ToLine(const Record& record) {
 
 std::string OutcomeOf(const Record& record) { return record.value("outcome", ""); }
 
-bool IsFinished(const Record& record) {
-  return OutcomeOf(record) != ToString(StatusCode::kCancelled);
+bool IsFinished(const Record& record, const Cell& cell) {
+  const std::string outcome = OutcomeOf(record);
+  if (outcome == kTimeLimit) return !IsRaised(record, "seconds", cell.limits.seconds);
+  if (outcome == kMemoryLimit) return !IsRaised(record, "memory_mib", cell.limits.memory_mib);
+  if (outcome == ToString(StatusCode::kOk) && cell.keep_map) return record.contains("map");
+  return outcome != ToString(StatusCode::kCancelled);
 }
 
 bool IsSettled(const Record& record) {

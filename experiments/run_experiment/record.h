@@ -9,6 +9,11 @@
 
 namespace cirque {
 
+/// Outcomes beside those of StatusCode: the run threw, its process ended without a record, or it
+/// was ended at a limit.
+inline constexpr char kException[] = "exception", kCrash[] = "crash", kTimeLimit[] = "time_limit",
+                      kMemoryLimit[] = "memory_limit";
+
 /// One run as one self-contained object of results.jsonl.
 using Record = nlohmann::json;
 
@@ -27,8 +32,9 @@ std::string ToLine(const Record& record);
 
 std::string OutcomeOf(const Record& record);
 
-/// Whether the run need not be made again: it was not cancelled.
-bool IsFinished(const Record& record);
+/// Whether the run need not be made again: it was not cancelled, was not ended by a lower limit
+/// than the cell's, and left its map where the cell keeps it.
+bool IsFinished(const Record& record, const Cell& cell);
 
 /// Whether the run ended as it should: in a map, or in the proof that there is none.
 bool IsSettled(const Record& record);

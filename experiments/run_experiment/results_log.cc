@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -10,14 +11,37 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/atomic_file.h"
+
 #include "experiments/run_experiment/content_hash.h"
 
 namespace cirque {
 namespace {
 
+namespace fs = std::filesystem;
+
 bool IsRecord(const Record& json) {
   return json.is_object() && json.contains("key") && json["key"].is_string() &&
          json.contains("outcome") && json["outcome"].is_string();
+}
+
+/// ISO 8601 in UTC, which texts compare as times do.
+std::string StartOf(const Record& record) {
+  const nlohmann::json::json_pointer pointer("/provenance/started");
+  const bool is_known = record.contains(pointer) && record.at(pointer).is_string();
+  return is_known ? record.at(pointer).get<std::string>() : "";
+}
+
+/// results.jsonl, if it exists, before the shards'.
+std::vector<std::string> ResultFiles(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const bool is_ours = name == Shard().FileName() || name.starts_with("results.shard-");
+    if (is_ours && name.ends_with(".jsonl")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 class AppendOnlyFile {
@@ -43,24 +67,34 @@ class AppendOnlyFile {
 
 }  // namespace
 
-StatusOr<ResultsLog> ResultsLog::Open(const std::string& path) {
-  ResultsLog log(path);
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return log;
+StatusOr<ResultsLog> ResultsLog::Open(const std::string& folder, const Shard& shard) {
+  const fs::path own = fs::path(folder) / shard.FileName();
+  StatusOr<FileLock> lock = FileLock::Take((fs::path(folder) / ("." + shard.FileName() + ".lock")));
+  if (!lock.ok()) return lock.status();
+  ResultsLog log(own.string(), *std::move(lock));
+  const std::vector<std::string> files = ResultFiles(folder);
+  for (const std::string& file : files) {
+    if (Status status = log.Read(file); !status.ok()) return status;
+    log.has_shards_ = log.has_shards_ || fs::path(file).filename() != Shard().FileName();
+  }
+  return log;
+}
+
+Status ResultsLog::Read(const std::string& path) {
   const StatusOr<std::string> text = ReadWholeFile(path);
   if (!text.ok()) return text.status();
-  log.ends_torn_ = !text->empty() && text->back() != '\n';
+  if (path == path_) ends_torn_ = !text->empty() && text->back() != '\n';
   std::istringstream stream(*text);
   for (std::string line; std::getline(stream, line);) {
     if (line.empty()) continue;
     Record record = Record::parse(line, nullptr, false);
     if (IsRecord(record)) {
-      log.Keep(std::move(record));
+      Keep(std::move(record));
     } else {
-      ++log.skipped_lines_;
+      ++skipped_lines_;
     }
   }
-  return log;
+  return Status();
 }
 
 const Record* ResultsLog::Find(const std::string& key) const {
@@ -87,8 +121,20 @@ std::vector<Record> ResultsLog::Records() const {
   return records;
 }
 
+Status ResultsLog::Merge() {
+  if (!has_shards_) return Status();
+  std::string lines;
+  for (const Record& record : Records()) lines += ToLine(record) + "\n";
+  ends_torn_ = false;
+  return WriteFileAtomically(path_, lines);
+}
+
 void ResultsLog::Keep(Record record) {
-  last_[record["key"].get<std::string>()] = records_.size();
+  const std::string key = record["key"];
+  const auto last = last_.find(key);
+  // Of two files the one read later need not be the later one.
+  if (last != last_.end() && StartOf(records_[last->second]) > StartOf(record)) return;
+  last_[key] = records_.size();
   records_.push_back(std::move(record));
 }
 

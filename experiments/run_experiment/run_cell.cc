@@ -56,6 +56,9 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   if (status.ok() && !BoundaryLoops(surface->triangulation).empty()) {
     result->certificate.values.merge(KnownMapErrors(cell.mesh, *surface, parameterization.uv));
   }
+  if (status.ok() && cell.keep_map) {
+    result->map = AttachUv(*soup, *surface, parameterization.uv);
+  }
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cirque/core/types.h"
+#include "cirque/mesh/polygon_soup.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/run_experiment/cells.h"
@@ -14,6 +15,7 @@ namespace cirque {
 struct RunResult {
   Index vertices = 0, triangles = 0;  ///< of the mesh; 0 when it could not be read
   Certificate certificate;
+  PolygonSoup map = {};  ///< the mesh with its map, where the cell keeps it and there is one
 };
 
 /// Carries out one run; `mesh_path` is the mesh's file, empty for a generated mesh.

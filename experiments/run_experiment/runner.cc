@@ -1,140 +1,129 @@
 #include "experiments/run_experiment/runner.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/core/timer.h"
 
 #include "experiments/run_experiment/columns.h"
+#include "experiments/run_experiment/job.h"
 #include "experiments/run_experiment/mesh_files.h"
 #include "experiments/run_experiment/progress.h"
 #include "experiments/run_experiment/provenance.h"
 #include "experiments/run_experiment/results_log.h"
+#include "experiments/run_experiment/worker_pool.h"
 
 namespace cirque {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct PlannedRun {
-  Cell cell;
-  LocatedMesh mesh;
-  std::string key;
-};
-
 /// Locates every mesh, so that nothing has been run when one of them turns out to be missing.
-StatusOr<std::vector<PlannedRun>> Plan(const std::vector<Cell>& cells, const std::string& cache,
-                                       const std::string& code_version) {
+StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::string& folder,
+                                const nlohmann::json& provenance) {
   std::map<std::string, LocatedMesh> located;
-  std::vector<PlannedRun> plan;
+  std::vector<Job> plan;
   for (const Cell& cell : cells) {
     if (!located.contains(cell.mesh.name)) {
-      const StatusOr<LocatedMesh> mesh = LocateMesh(cell.mesh, cache);
+      const StatusOr<LocatedMesh> mesh =
+          LocateMesh(cell.mesh, (fs::path(folder) / "meshes").string());
       if (!mesh.ok()) return mesh.status();
       located[cell.mesh.name] = *mesh;
     }
     const LocatedMesh& mesh = located[cell.mesh.name];
-    plan.push_back({cell, mesh, RunKey(cell, mesh.hash, code_version)});
+    plan.push_back({RunKey(cell, mesh.hash, provenance["code"]), cell, mesh, folder, provenance});
   }
   return plan;
 }
 
-RunResult RunCaught(const RunCell& run_cell, const PlannedRun& run) {
-  RunResult result;
-  const Timer timer;
-  try {
-    result = run_cell(run.cell, run.mesh.path);
-  } catch (const std::exception& error) {
-    result.certificate.outcome = "exception";
-    result.certificate.message = error.what();
-  }
-  result.certificate.seconds["total"] = timer.Seconds();
-  return result;
+/// A run that was begun without the map kept, or whose map was removed, has to be made again.
+bool IsComplete(const Job& job, const Record& record) {
+  std::error_code error;
+  return IsFinished(record, job.cell) &&
+         (!job.cell.keep_map || !record.contains("map") ||
+          fs::exists(fs::path(job.folder) / record["map"].get<std::string>(), error));
 }
 
 class Runner {
  public:
-  Runner(const std::string& folder, nlohmann::json provenance, const RunnerOptions& options,
-         const RunCell& run_cell, ResultsLog log)
-      : options_(options),
-        run_cell_(run_cell),
-        log_(std::move(log)),
-        folder_(folder),
-        provenance_(std::move(provenance)) {}
+  Runner(const RunnerOptions& options, const RunCell& run_cell, ResultsLog* log, Progress* progress)
+      : options_(options), run_cell_(run_cell), log_(*log), progress_(*progress) {}
 
-  StatusOr<RunSummary> Run(const std::vector<PlannedRun>& plan);
+  /// Makes the runs, one after the other or side by side.
+  Status Run(const std::vector<Job>& jobs) {
+    return options_.jobs == 0 ? RunHere(jobs) : RunInProcesses(jobs);
+  }
+  int ran() const { return ran_; }
 
  private:
-  bool IsDone(const PlannedRun& run) const {
-    const Record* record = options_.fresh ? nullptr : log_.Find(run.key);
-    return record != nullptr && IsFinished(*record);
-  }
-  Status RunOne(const PlannedRun& run, Progress* progress);
-  Status SaveCertificate(const PlannedRun& run, const Certificate& certificate) const;
-  RunSummary Summarize(const std::vector<PlannedRun>& plan) const;
+  Status RunHere(const std::vector<Job>& jobs);
+  Status RunInProcesses(const std::vector<Job>& jobs);
+  Job Begin(Job job) const;
+  Status Keep(const EndedRun& run);
 
   const RunnerOptions& options_;
   const RunCell& run_cell_;
-  ResultsLog log_;
-  fs::path folder_;
-  nlohmann::json provenance_;
+  ResultsLog& log_;
+  Progress& progress_;
+  int ran_ = 0;
 };
 
-StatusOr<RunSummary> Runner::Run(const std::vector<PlannedRun>& plan) {
-  std::vector<PlannedRun> left;
-  std::remove_copy_if(plan.begin(), plan.end(), std::back_inserter(left),
-                      [&](const PlannedRun& run) { return IsDone(run); });
-  Progress progress(options_.progress, static_cast<int>(plan.size()),
-                    static_cast<int>(plan.size() - left.size()));
-  int ran = 0;
-  for (const PlannedRun& run : left) {
+Status Runner::RunHere(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
     if (options_.stop()) break;
-    if (Status status = RunOne(run, &progress); !status.ok()) return status;
-    ++ran;
+    StatusOr<Record> record = CarryOut(Begin(job), run_cell_);
+    if (!record.ok()) return record.status();
+    if (Status s = Keep({job.cell.Label(), *std::move(record)}); !s.ok()) return s;
   }
-  const Status written =
-      WriteFileAtomically((folder_ / "results.csv").string(), ToCsv(log_.Records()));
-  if (!written.ok()) return written;
-  RunSummary summary = Summarize(plan);
-  summary.ran = ran;
-  summary.stopped = ran < static_cast<int>(left.size());
-  return summary;
-}
-
-Status Runner::RunOne(const PlannedRun& run, Progress* progress) {
-  progress->Start(run.cell.Label());
-  nlohmann::json provenance = provenance_;
-  provenance["started"] = UtcNow();
-  RunResult result = RunCaught(run_cell_, run);
-  const Record record = MakeRecord(run.key, run.cell, run.mesh, result, provenance);
-  // The certificate first: a record is the sign that the run is complete.
-  if (OutcomeOf(record) == ToString(StatusCode::kInfeasible)) {
-    // The record's message is valid UTF-8, whatever file names were in it.
-    result.certificate.message = record["message"];
-    if (Status status = SaveCertificate(run, result.certificate); !status.ok()) return status;
-  }
-  if (Status status = log_.Append(record); !status.ok()) return status;
-  progress->Finish(run.cell.Label(), record);
   return Status();
 }
 
-Status Runner::SaveCertificate(const PlannedRun& run, const Certificate& certificate) const {
-  const fs::path folder = folder_ / "certificates";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  return WriteFileAtomically((folder / (run.key + ".json")).string(), certificate.ToJson());
+Status Runner::RunInProcesses(const std::vector<Job>& jobs) {
+  WorkerPool pool(options_.jobs, options_.worker);
+  auto next = jobs.begin();
+  while ((next != jobs.end() || !pool.is_idle()) && !options_.stop()) {
+    while (next != jobs.end() && pool.has_room()) {
+      if (Status status = pool.Start(Begin(*next++)); !status.ok()) return status;
+    }
+    for (const EndedRun& run : pool.TakeEnded()) {
+      if (Status status = Keep(run); !status.ok()) return status;
+    }
+  }
+  return Status();
 }
 
-RunSummary Runner::Summarize(const std::vector<PlannedRun>& plan) const {
+Job Runner::Begin(Job job) const {
+  progress_.Start(job.cell.Label());
+  job.provenance["started"] = UtcNow();
+  return job;
+}
+
+Status Runner::Keep(const EndedRun& run) {
+  if (Status status = log_.Append(run.record); !status.ok()) return status;
+  ++ran_;
+  progress_.Finish(run.label, run.record);
+  return Status();
+}
+
+RunSummary Summarize(const std::vector<Job>& plan, const ResultsLog& log) {
   RunSummary summary;
-  summary.skipped_lines = log_.skipped_lines();
-  for (const PlannedRun& run : plan) {
-    if (const Record* record = log_.Find(run.key)) summary.records.push_back(*record);
+  summary.skipped_lines = log.skipped_lines();
+  for (const Job& job : plan) {
+    if (const Record* record = log.Find(job.key)) summary.records.push_back(*record);
   }
   return summary;
+}
+
+/// What the log does not hold yet.
+std::vector<Job> Left(const std::vector<Job>& plan, const ResultsLog& log, bool fresh) {
+  std::vector<Job> left;
+  std::copy_if(plan.begin(), plan.end(), std::back_inserter(left), [&](const Job& job) {
+    const Record* record = log.Find(job.key);
+    return fresh || record == nullptr || !IsComplete(job, *record);
+  });
+  return left;
 }
 
 }  // namespace
@@ -146,17 +135,29 @@ bool RunSummary::AllSettled() const {
 StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::vector<Cell>& cells,
                                    const RunnerOptions& options, const RunCell& run_cell) {
   const fs::path folder = config.output;
-  nlohmann::json provenance = Provenance(config);
-  const StatusOr<std::vector<PlannedRun>> plan =
-      Plan(cells, (folder / "meshes").string(), provenance["code"]);
+  const StatusOr<std::vector<Job>> plan =
+      Plan(SelectShard(cells, options.shard), folder.string(), Provenance(config));
   if (!plan.ok()) return plan.status();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return Status::InvalidInput(folder.string() + ": cannot create: " + error.message());
-  StatusOr<ResultsLog> log = ResultsLog::Open((folder / "results.jsonl").string());
+  StatusOr<ResultsLog> log = ResultsLog::Open(folder.string(), options.shard);
   if (!log.ok()) return log.status();
-  return Runner(config.output, std::move(provenance), options, run_cell, *std::move(log))
-      .Run(*plan);
+  const bool is_whole = options.shard.IsWhole();
+  if (Status s = is_whole ? log->Merge() : Status(); !s.ok()) return s;
+
+  const std::vector<Job> left = Left(*plan, *log, options.fresh);
+  Progress progress(options.progress, static_cast<int>(plan->size()),
+                    static_cast<int>(plan->size() - left.size()));
+  Runner runner(options, run_cell, &*log, &progress);
+  if (Status s = runner.Run(left); !s.ok()) return s;
+  RunSummary summary = Summarize(*plan, *log);
+  summary.ran = runner.ran();
+  summary.stopped = summary.ran < static_cast<int>(left.size());
+  // The parts of one table are no table.
+  if (!is_whole) return summary;
+  const Status written = WriteFileAtomically(folder / "results.csv", ToCsv(log->Records()));
+  return written.ok() ? StatusOr<RunSummary>(std::move(summary)) : written;
 }
 
 }  // namespace cirque

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "cirque/core/status.h"
@@ -9,13 +10,19 @@
 #include "experiments/run_experiment/config.h"
 #include "experiments/run_experiment/record.h"
 #include "experiments/run_experiment/run_cell.h"
+#include "experiments/run_experiment/shard.h"
 
 namespace cirque {
 
 struct RunnerOptions {
-  bool fresh = false;                                 ///< run finished cells again
-  std::FILE* progress = nullptr;                      ///< where progress is told, if anywhere
-  std::function<bool()> stop = [] { return false; };  ///< asked before every run
+  bool fresh = false;             ///< run finished cells again
+  std::FILE* progress = nullptr;  ///< where progress is told, if anywhere
+  /// Asked before every run and, where runs have processes of their own, while they go on: those
+  /// are then ended without a record.
+  std::function<bool()> stop = [] { return false; };
+  Shard shard = {};  ///< the part of the cells to run
+  int jobs = 0;      ///< processes side by side; 0: runs are made in this process, limits not held
+  std::vector<std::string> worker = {};  ///< the command of such a process, see WorkerPool
 };
 
 /// How an experiment ended.
@@ -29,9 +36,9 @@ struct RunSummary {
   bool AllSettled() const;
 };
 
-/// Makes the runs of `cells` that config.output does not hold yet and writes there: results.jsonl
-/// (a line as soon as a run ends), results.csv, and certificates/KEY.json of infeasible runs.
-/// Whatever a run throws becomes its record with outcome "exception".
+/// Makes the runs of the shard's `cells` that config.output does not hold yet and writes there:
+/// results.jsonl or the shard's own file (a line as soon as a run ends) and what CarryOut writes.
+/// Without a shard also results.csv, and the shards' records are taken into results.jsonl first.
 StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::vector<Cell>& cells,
                                    const RunnerOptions& options, const RunCell& run_cell);
 

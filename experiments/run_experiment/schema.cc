@@ -38,6 +38,34 @@ SchemaField ForMethod(const MethodField& field) {
   return row;
 }
 
+/// Which runs are made, and within what limits.
+Schema CellFields() {
+  using enum FieldKind;
+  return {
+      {.path = "include",
+       .help = "makes only the runs named MESH/METHOD by one of these patterns (* ? [...])",
+       .default_text = "*",
+       .list = true},
+      {.path = "exclude", .help = "leaves out the runs named by one of these", .list = true},
+      {.path = "time_limit",
+       .kind = kNumber,
+       .help = "wall time [s] after which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1e-3,
+       .maximum = 1e7},
+      {.path = "memory_limit",
+       .kind = kNumber,
+       .help = "resident memory [MiB] at which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1,
+       .maximum = 1e8},
+      {.path = "keep_maps",
+       .help = "writes maps/KEY.obj, the mesh with its map: true, false or names of runs as above",
+       .default_text = "false",
+       .list = true},
+  };
+}
+
 Schema MakeSchema() {
   using enum FieldKind;
   const GeneratorOptions generator;
@@ -99,8 +127,10 @@ Schema MakeSchema() {
                     .default_text = "1",
                     .minimum = 1,
                     .maximum = 1000});
+  const std::vector<SchemaField> cells = CellFields();
+  schema.insert(schema.end(), cells.begin(), cells.end());
   schema.push_back({.path = "measures",
-                    .help = "further figures of every map, one or a list: columns of the results",
+                    .help = "further figures of every map: columns of the results",
                     .list = true,
                     .choices = FigureNames()});
   schema.push_back({.path = "output",

@@ -43,4 +43,7 @@ std::string Expectation(const SchemaField& field);
 /// The reference of the config file as text, with an example.
 std::string ConfigHelp(const Schema& schema);
 
+/// The same as the page experiments/CONFIG.md.
+std::string ConfigMarkdown(const Schema& schema);
+
 }  // namespace cirque

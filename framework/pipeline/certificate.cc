@@ -16,6 +16,17 @@ nlohmann::ordered_json NumbersToJson(const std::map<std::string, double>& number
   return json;
 }
 
+nlohmann::ordered_json HistoryToJson(const std::map<std::string, std::vector<double>>& history) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [stage, gradients] : history) {
+    json[stage] = nlohmann::ordered_json::array();
+    for (const double gradient : gradients) {
+      json[stage].push_back(std::isfinite(gradient) ? nlohmann::ordered_json(gradient) : nullptr);
+    }
+  }
+  return json;
+}
+
 nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
   nlohmann::ordered_json json = {{"epsilon_over_pi", proof.epsilon_over_pi},
                                  {"margin", proof.margin},
@@ -38,6 +49,7 @@ std::string Certificate::ToJson() const {
   json["values"] = NumbersToJson(values);
   if (!strategies.empty()) json["strategies"] = strategies;
   json["seconds"] = NumbersToJson(seconds);
+  if (!history.empty()) json["history"] = HistoryToJson(history);
   if (!infeasibility.empty()) json["infeasibility"] = ProofToJson(infeasibility);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "cirque/core/infeasibility.h"
 
@@ -44,6 +45,9 @@ struct Certificate {
   std::map<std::string, double> seconds;  ///< wall time by stage
   /// The solver of each stage; where it was chosen automatically with the reason.
   std::map<std::string, std::string> strategies;
+  /// max |gradient| of the last solve of a stage ("angles", "radii") at its start and after every
+  /// iteration, NaN where the strategy did not need it.
+  std::map<std::string, std::vector<double>> history;
 
   /// With outcome infeasible. Vertices and faces are numbered as in the input file, from 0.
   InfeasibilityProof infeasibility;

@@ -122,6 +122,7 @@ class Flattening {
     }
     certificate_.infeasibility = std::move(fit.infeasibility);
     Record("angle", fit.solve);
+    RecordHistory("angles", fit.solve);
     Put({{"smallest_angle", fit.kkt.smallest_angle},
          {"smallest_theta", fit.kkt.smallest_theta},
          {"epsilon", fit.angles.epsilon},
@@ -156,6 +157,7 @@ class Flattening {
     LogRadiiResult radii;
     Status status = SolveLogRadii(t(), result_.angles, **strategy, control_, &radii);
     Record("radii", radii.solve);
+    RecordHistory("radii", radii.solve);
     certificate_.values["radii_factorizations"] += radii.start.factorizations;
     certificate_.values["radii_cg_iterations"] += radii.start.cg_iterations;
     const Eigen::VectorXd& rho = radii.log_radii.value;
@@ -194,6 +196,12 @@ class Flattening {
     Put({{stage + "_iterations", solve.num_iterations()},
          {stage + "_factorizations", solve.factorizations},
          {stage + "_cg_iterations", solve.cg_iterations}});
+  }
+
+  void RecordHistory(const std::string& stage, const SolveSummary& solve) {
+    std::vector<double>& gradients = certificate_.history[stage];
+    gradients = {solve.initial_gradient_max};
+    for (const IterationRecord& step : solve.iterations) gradients.push_back(step.gradient_max);
   }
 
   void Put(const std::map<std::string, double>& values) {

@@ -48,9 +48,10 @@ const std::vector<BadConfig>& BadConfigs() {
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
        ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
-       "repeats, measures, output"},
+       "repeats, include, exclude, time_limit, memory_limit, keep_maps, measures, output"},
       {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
-       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, measures, output"},
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, include, exclude, "
+       "time_limit, memory_limit, keep_maps, measures, output"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "triangulation, angle_fit, "
@@ -87,6 +88,14 @@ const std::vector<BadConfig>& BadConfigs() {
        ":6:26: unknown measures 'overlap_are'; did you mean 'overlap_area'?"},
       {"MeasureTwice", Config(kMesh, kMethod, "measures: [cut_length, cut_length]\n"),
        ":6:24: 'cut_length' is listed twice"},
+      {"ExcludeNamesNothing", Config(kMesh, kMethod, "exclude: ['*/a', 'bump*/b']\n"),
+       ":6:18: 'bump*/b' names no run; --dry_run lists them, e.g. 'bumpy_terrain/a'"},
+      {"ExcludeEverything", Config(kMesh, kMethod, "exclude: '*/a'\n"),
+       ":1:1: nothing to run: include and exclude leave no run"},
+      {"KeepNothing", Config(kMesh, kMethod, "keep_maps: lion/a\n"),
+       ":6:12: 'lion/a' names no run; --dry_run lists them, e.g. 'bumpy_terrain/a'"},
+      {"NoTime", Config(kMesh, kMethod, "time_limit: 0\n"),
+       ":6:13: 'time_limit' must be a number from 0.001 to 10000000, not '0'"},
       {"Yes", Config("{optional: yes, file: x}", kMethod),
        ":3:16: 'optional' must be true or false, not 'yes'"},
       {"EmptyList", "question: why\nmeshes: []\nmethods:\n  - name: a\n",
@@ -215,6 +224,59 @@ TEST(RunExperimentConfig, MeasuresGoToEveryRunAsOneOrAList) {
   EXPECT_THAT(measures("measures: cut_length\n"), ElementsAre("cut_length"));
   EXPECT_THAT(measures("measures: [resolution, cut_length]\n"),
               ElementsAre("resolution", "cut_length"));
+}
+
+TEST(RunExperimentConfig, IncludeAndExcludeChooseTheRuns) {
+  const TemporaryFolder folder;
+  const auto labels = [&](const std::string& rest) {
+    const auto config = LoadConfig(
+        folder.Write("a.yaml", Config("{generator: bumpy_terrain, triangles: [10, 20, 30]}",
+                                      "name: m\n  - name: n", "repeats: 2\n" + rest)));
+    EXPECT_TRUE(config.ok()) << config.status().message();
+    return LabelsOf(*config);
+  };
+  EXPECT_EQ(labels("").size(), 12u);
+  EXPECT_THAT(labels("include: '*-20/*'\n"),
+              ElementsAre("bumpy_terrain-20/m", "bumpy_terrain-20/m#2", "bumpy_terrain-20/n",
+                          "bumpy_terrain-20/n#2"));
+  EXPECT_THAT(labels("include: ['*-20/*', '*/n#2']\nexclude: ['*[23]0/m', '*-20/n']\n"),
+              ElementsAre("bumpy_terrain-10/n#2", "bumpy_terrain-30/n#2"));
+}
+
+TEST(RunExperimentConfig, PatternsMayMeanMeshesThatAreNotHere) {
+  const TemporaryFolder folder;
+  const auto config = LoadConfig(
+      folder.Write("a.yaml", Config("{file: no.obj, optional: true}\n  - " + std::string(kMesh),
+                                    kMethod, "exclude: no/a\n")));
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_THAT(LabelsOf(*config), ElementsAre("bumpy_terrain/a"));
+}
+
+TEST(RunExperimentConfig, LimitsAndKeptMapsGoToTheCells) {
+  const TemporaryFolder folder;
+  const auto cells = [&](const std::string& rest) {
+    const auto config = LoadConfig(
+        folder.Write("a.yaml", Config(kMesh, std::string(kMethod) + "\n  - name: b", rest)));
+    EXPECT_TRUE(config.ok()) << config.status().message();
+    return config->cells;
+  };
+  const std::vector<Cell> plain = cells("");
+  EXPECT_EQ(plain[0].limits.seconds, 0);
+  EXPECT_EQ(plain[0].limits.memory_mib, 0);
+  EXPECT_FALSE(plain[0].keep_map);
+  const std::vector<Cell> limited = cells("time_limit: 2.5\nmemory_limit: 300\nkeep_maps: '*/b'\n");
+  EXPECT_EQ(limited[1].limits.seconds, 2.5);
+  EXPECT_EQ(limited[1].limits.memory_mib, 300);
+  EXPECT_FALSE(limited[0].keep_map);
+  EXPECT_TRUE(limited[1].keep_map);
+  EXPECT_TRUE(cells("keep_maps: true\n")[0].keep_map);
+}
+
+TEST(RunExperimentConfig, TheReferencePageIsUpToDate) {
+  std::ifstream page(ProjectPath("experiments/CONFIG.md"));
+  const std::string text((std::istreambuf_iterator<char>(page)), {});
+  EXPECT_EQ(text, ConfigMarkdown(ConfigSchema()))
+      << "write it anew: run_experiment --help_config --markdown > experiments/CONFIG.md";
 }
 
 TEST(RunExperimentConfig, ASlipThatMakesMillionsOfRunsIsRefusedAtOnce) {

@@ -43,6 +43,10 @@ TEST(RunExperimentProgram, MistakesOnTheCommandLineEndWithStatusTwo) {
       {"--fresh=maybe " + config, "--fresh expects a value of type bool, not 'maybe'"},
       {config + " --only", "--only needs a value"},
       {config + " --only=zzz", "--only=zzz: no run of "},
+      {config + " --only='z*z'", "--only=z*z: no run of "},
+      {config + " --jobs=0", "--jobs=0: expected a number from 1 to 1024"},
+      {config + " --shard=3/2", "--shard=3/2: expected i/n with i from 1 to n"},
+      {config + " --merge --shard=1/2", "--merge collects all shards: leave out --shard"},
   };
   for (const auto& [arguments, message] : mistakes) {
     const Ended ended = RunProgram(arguments);

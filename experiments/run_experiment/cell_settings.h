@@ -1,0 +1,16 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include "experiments/run_experiment/config.h"
+#include "experiments/run_experiment/diagnostics.h"
+
+namespace cirque {
+
+/// Takes to the cells what a config says of them all: `include` and `exclude`, `time_limit` and
+/// `memory_limit`, `keep_maps`, `measures`. A pattern that names no run is a problem, unless
+/// `some_skipped`: it may have meant runs on meshes that do not exist here.
+void ApplyCellSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
+                       ExperimentConfig* config);
+
+}  // namespace cirque

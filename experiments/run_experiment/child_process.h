@@ -1,0 +1,50 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "cirque/core/status.h"
+#include "cirque/core/timer.h"
+
+namespace cirque {
+
+/// A program as a child of this process: reads `input`, and keeps what it prints. It ends with this
+/// process, however that ends; what asks this process to stop (Ctrl-C, SIGTERM to all processes of
+/// a cluster's job) it ignores. BLAS uses one thread in it unless the environment says otherwise.
+class ChildProcess {
+ public:
+  /// `command[0]` is the path of the program.
+  static StatusOr<ChildProcess> Start(const std::vector<std::string>& command,
+                                      const std::string& input);
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&& other) noexcept;
+  ~ChildProcess();  ///< ends it if it still runs
+
+  /// Whether it has ended; does not wait.
+  bool HasEnded();
+  void Kill();
+
+  double Seconds() const { return timer_.Seconds(); }  ///< since its start
+  double ResidentMib() const;                          ///< now; 0 where it has ended
+
+  /// Once it has ended: whether it ended by itself with status 0, or was killed, and how it ended,
+  /// for a message.
+  bool Succeeded() const;
+  bool WasKilled() const;  ///< by SIGKILL
+  std::string HowItEnded() const;
+
+  std::string Output() const;  ///< what it has printed so far
+  std::string Errors() const;
+
+ private:
+  ChildProcess() = default;
+
+  pid_t pid_ = -1;  ///< -1 once it has ended
+  int status_ = 0;  ///< of waitpid
+  int output_ = -1, errors_ = -1;
+  Timer timer_;
+};
+
+}  // namespace cirque

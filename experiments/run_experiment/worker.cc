@@ -1,0 +1,50 @@
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "experiments/common/blas_threads.h"
+#include "experiments/run_experiment/worker_pool.h"
+
+namespace cirque {
+namespace {
+
+std::string ReadStandardInput() {
+  std::string bytes;
+  char block[1 << 12];
+  while (const std::size_t size = std::fread(block, 1, sizeof(block), stdin)) {
+    bytes.append(block, size);
+  }
+  return bytes;
+}
+
+/// The largest resident memory this process has had. (getrusage would count the parent's.)
+double PeakMib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int RunWorker(const RunCell& run_cell) {
+  StatusOr<Job> job = UnpackJob(ReadStandardInput());
+  if (!job.ok()) {
+    fmt::print(stderr, "{}\n", job.status().message());
+    return 1;
+  }
+  job->provenance["blas_threads"] = NumBlasThreads();
+  StatusOr<Record> record = CarryOut(*job, run_cell);
+  if (!record.ok()) {
+    fmt::print(stderr, "{}\n", record.status().message());
+    return 1;
+  }
+  (*record)["peak_memory_mib"] = PeakMib();
+  fmt::print("{}\n", ToLine(*record));
+  return std::fflush(stdout) == 0 ? 0 : 1;
+}
+
+}  // namespace cirque
