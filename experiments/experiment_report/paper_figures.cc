@@ -1,0 +1,40 @@
+#include "experiments/experiment_report/paper_figures.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "experiments/experiment_report/assets.h"
+
+namespace cirque::experiment_report {
+namespace {
+
+/// Runs a program found in PATH with our own streams; its exit status, or -1.
+int Run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) {
+    return -1;
+  }
+  int status = 0;
+  if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return -1;
+  return WEXITSTATUS(status);
+}
+
+}  // namespace
+
+Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json) {
+  const int status =
+      Run({"python3", "-c", std::string(kFiguresScript), runs_json, convergence_json});
+  if (status == 0) return Status();
+  return Status::InvalidInput(
+      status == 127 || status == -1
+          ? "--pdf: there is no python3; on Debian: apt-get install python3-matplotlib"
+          : "--pdf: no figures, for the reason above; all else has been written");
+}
+
+}  // namespace cirque::experiment_report
