@@ -30,6 +30,11 @@ double RoundStep(double step) {
   return 10 * power;
 }
 
+/// The ticks between 1 and 10 on an axis over one or two powers of ten.
+std::vector<double> BetweenPowers(int powers) {
+  return powers == 1 ? std::vector<double>{2, 5} : std::vector<double>{3};
+}
+
 std::string PlainLabel(double value, double step) {
   if (std::abs(value) < kRounding * step) return "0";
   return fmt::format("{:.6g}", value);
@@ -37,8 +42,8 @@ std::string PlainLabel(double value, double step) {
 
 }  // namespace
 
-Axis::Axis(std::string label, bool logarithmic, const std::vector<double>& values)
-    : label_(std::move(label)), logarithmic_(logarithmic) {
+Axis::Axis(std::string label, AxisKind kind, const std::vector<double>& values)
+    : label_(std::move(label)), kind_(kind) {
   std::vector<double> shown;
   std::copy_if(values.begin(), values.end(), std::back_inserter(shown),
                [&](double value) { return Shows(value); });
@@ -50,16 +55,16 @@ Axis::Axis(std::string label, bool logarithmic, const std::vector<double>& value
     low_ = 1;
     high_ = 10;
   }
-  logarithmic_ ? SetLogarithmicTicks() : SetLinearTicks();
+  logarithmic() ? SetLogarithmicTicks() : SetLinearTicks();
 }
 
 bool Axis::Shows(double value) const {
-  return std::isfinite(value) && (!logarithmic_ || value > 0);
+  return std::isfinite(value) && (!logarithmic() || value > 0);
 }
 
 double Axis::Position(double value) const {
-  return logarithmic_ ? std::log(value / low_) / std::log(high_ / low_)
-                      : (value - low_) / (high_ - low_);
+  return logarithmic() ? std::log(value / low_) / std::log(high_ / low_)
+                       : (value - low_) / (high_ - low_);
 }
 
 void Axis::SetLinearTicks() {
@@ -68,7 +73,8 @@ void Axis::SetLinearTicks() {
     low_ -= margin;
     high_ += margin;
   }
-  const double step = RoundStep((high_ - low_) / (kMostTicks - 1));
+  double step = RoundStep((high_ - low_) / (kMostTicks - 1));
+  if (kind_ == AxisKind::kWhole) step = std::max(step, 1.0);
   const double first = std::floor(low_ / step + kRounding);
   const double last = std::ceil(high_ / step - kRounding);
   low_ = first * step;
@@ -89,7 +95,7 @@ void Axis::SetLogarithmicTicks() {
     const double value = std::pow(10, exponent);
     ticks_.push_back({value, plain ? fmt::format("{:.6g}", value) : PowerLabel(exponent)});
     if (last - first > 2 || exponent == last) continue;
-    for (const double factor : {2.0, 5.0}) {
+    for (const double factor : BetweenPowers(last - first)) {
       ticks_.push_back({factor * value, plain ? fmt::format("{:.6g}", factor * value) : ""});
     }
   }

@@ -5,6 +5,8 @@
 
 namespace cirque::experiment_report {
 
+enum class AxisKind { kLinear, kWhole, kLogarithmic };  // whole: ticks at whole numbers only
+
 /// One axis of a chart: its range, widened to where the ticks are, and the way onto [0, 1].
 class Axis {
  public:
@@ -15,7 +17,7 @@ class Axis {
 
   /// Around the values; those that are not finite, or on a logarithmic axis not positive, do not
   /// count.
-  Axis(std::string label, bool logarithmic, const std::vector<double>& values);
+  Axis(std::string label, AxisKind kind, const std::vector<double>& values);
 
   bool Shows(double value) const;
   /// 0 at the low end, 1 at the high one.
@@ -24,14 +26,14 @@ class Axis {
   const std::vector<Tick>& ticks() const { return ticks_; }
   double low() const { return low_; }
   double high() const { return high_; }
-  bool logarithmic() const { return logarithmic_; }
+  bool logarithmic() const { return kind_ == AxisKind::kLogarithmic; }
 
  private:
   void SetLinearTicks();
   void SetLogarithmicTicks();
 
   std::string label_;
-  bool logarithmic_ = false;
+  AxisKind kind_;
   double low_ = 0, high_ = 1;
   std::vector<Tick> ticks_;
 };

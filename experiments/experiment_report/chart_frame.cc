@@ -11,7 +11,7 @@ namespace {
 
 // The drawing in units of the SVG: it grows with the page.
 constexpr double kWidth = 480, kHeight = 320;
-constexpr double kLeft = 62, kRight = 14, kTop = 12, kBottom = 46;
+constexpr double kLeft = 62, kRight = 24, kTop = 12, kBottom = 46;
 constexpr double kMarkerSize = 3.6;
 constexpr int kColours = 8, kShapes = 4;
 
@@ -84,7 +84,7 @@ std::string ChartFrame::Figure(const SeriesNames& series, const std::string& mar
 }
 
 std::string EmptyFigure(const ChartText& text, const std::string& reason) {
-  return Caption(text) + "<p class=\"empty\">" + Escape(reason) + "</p></figure>\n";
+  return "<p class=\"empty missing\">" + Escape(text.title + ": " + reason) + "</p>\n";
 }
 
 std::string MarkClass(int series, const std::string& further) {

@@ -29,7 +29,7 @@ class ChartFrame {
   Axis x_, y_;
 };
 
-/// A figure that says why it is empty.
+/// A line in place of a figure that would be empty.
 std::string EmptyFigure(const ChartText& text, const std::string& reason);
 
 /// The class attribute of a series' marks.

@@ -93,9 +93,8 @@ std::string Bars(const ChartFrame& frame, const std::vector<std::vector<int>>& n
 std::string ScatterChart(const ChartText& text, const SeriesNames& series,
                          const std::vector<Point>& points) {
   const ChartFrame frame(
-      text,
-      Axis(text.x_label, text.x_logarithmic, Collect(points, [](const Point& p) { return p.x; })),
-      Axis(text.y_label, text.y_logarithmic, Collect(points, [](const Point& p) { return p.y; })));
+      text, Axis(text.x_label, text.x_kind, Collect(points, [](const Point& p) { return p.x; })),
+      Axis(text.y_label, text.y_kind, Collect(points, [](const Point& p) { return p.y; })));
   std::string marks;
   std::size_t shown = 0;
   for (const Point& point : points) {
@@ -114,8 +113,8 @@ std::string CurveChart(const ChartText& text, const SeriesNames& series,
     all_x.insert(all_x.end(), curve.x.begin(), curve.x.end());
     all_y.insert(all_y.end(), curve.y.begin(), curve.y.end());
   }
-  const ChartFrame frame(text, Axis(text.x_label, text.x_logarithmic, all_x),
-                         Axis(text.y_label, text.y_logarithmic, all_y));
+  const ChartFrame frame(text, Axis(text.x_label, text.x_kind, all_x),
+                         Axis(text.y_label, text.y_kind, all_y));
   std::string marks;
   for (const Curve& curve : curves) {
     const std::string path = CurvePath(frame, curve, steps);
@@ -136,7 +135,7 @@ std::string HistogramChart(const ChartText& text, const SeriesNames& series,
   if (values.empty()) return EmptyFigure(text, "No run has this value.");
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const bool logarithmic = *low > 0 && *high > kLogarithmicRange * *low;
-  const Axis x(text.x_label, logarithmic, values);
+  const Axis x(text.x_label, logarithmic ? AxisKind::kLogarithmic : AxisKind::kLinear, values);
   const std::vector<std::vector<int>> numbers = CountBins(x, series.size(), samples);
   std::vector<double> heights = {0};
   for (const std::vector<int>& bin : numbers) {
@@ -144,7 +143,7 @@ std::string HistogramChart(const ChartText& text, const SeriesNames& series,
     for (const int number : bin) height += number;
     heights.push_back(height);
   }
-  const ChartFrame frame(text, x, Axis("runs", false, heights));
+  const ChartFrame frame(text, x, Axis(text.y_label, AxisKind::kWhole, heights));
   return frame.Figure(series, Bars(frame, numbers, series),
                       LeftOut(samples.size() - values.size(), samples.size()));
 }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/experiment_report/axis.h"
+
 namespace cirque::experiment_report {
 
 /// What a chart is called and what its axes are. Charts are HTML figure elements with an inline SVG
@@ -11,7 +13,7 @@ namespace cirque::experiment_report {
 struct ChartText {
   std::string title;
   std::string x_label, y_label;
-  bool x_logarithmic = false, y_logarithmic = false;
+  AxisKind x_kind = AxisKind::kLinear, y_kind = AxisKind::kLinear;
   std::string note;  ///< below it, plain text
 };
 
@@ -43,7 +45,8 @@ struct Sample {
   double value = 0;
 };
 
-/// Bars of the samples' numbers, those of the series on top of each other. The y label is "runs".
+/// Bars of the samples' numbers, those of the series on top of each other.  The kinds of
+/// axes follow from the numbers.
 std::string HistogramChart(const ChartText& text, const SeriesNames& series,
                            const std::vector<Sample>& samples);
 

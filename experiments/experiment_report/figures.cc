@@ -16,6 +16,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr AxisKind kLog = AxisKind::kLogarithmic;
+
 /// The distinct names, sorted, and the position of each.
 class Series {
  public:
@@ -49,28 +51,52 @@ std::string TimeScatter(const std::vector<Run>& maps) {
     points.push_back({methods.Of(run.method), run.triangles, run.seconds,
                       PointTitle(run, run.triangles, run.seconds)});
   }
-  return ScatterChart({"Time against size", "triangles", "time [s]", true, true, ""},
+  return ScatterChart({"Time against size", "triangles", "time [s]", kLog, kLog, ""},
                       methods.names(), points);
 }
+
+// Less distortion is drawn as this: it would only stretch the logarithmic axes.
+constexpr double kLeastDistortion = 1e-5;
+constexpr char kLeastNote[] = "Less than 1e-5 is shown as 1e-5.";
+
+/// NaN stays NaN.
+double Shown(double distortion) {
+  return distortion < kLeastDistortion ? kLeastDistortion : distortion;
+}
+
+/// How far a ratio that is at least 1 exceeds it.
+double Excess(const Run& run, const std::string& ratio) { return Shown(run.Value(ratio) - 1); }
+
+double AreaDistortion(const Run& run) { return Shown(run.Value("log_area_ratio_l2")); }
 
 std::string DistortionScatter(const std::vector<Run>& maps) {
   const Series methods = Methods(maps);
   std::vector<Point> points;
   for (const Run& run : maps) {
-    const double qc = run.Value("quasi_conformal_mean"), area = run.Value("log_area_ratio_l2");
-    points.push_back({methods.Of(run.method), qc, area, PointTitle(run, qc, area)});
+    const double angle = Excess(run, "quasi_conformal_mean"), area = AreaDistortion(run);
+    points.push_back({methods.Of(run.method), angle, area, PointTitle(run, angle, area)});
   }
-  return ScatterChart({"Area against angle distortion", "mean quasi-conformal ratio",
-                       "log area ratio, root mean square", false, false, ""},
+  return ScatterChart({"Area against angle distortion", "mean quasi-conformal ratio - 1",
+                       "log area ratio, root mean square", kLog, kLog, kLeastNote},
                       methods.names(), points);
 }
 
-std::string Histogram(const std::vector<Run>& maps, const std::string& value,
-                      const std::string& title, const std::string& label) {
+template <class Get>
+std::string Histogram(const std::vector<Run>& maps, const std::string& title,
+                      const std::string& label, Get value) {
   const Series methods = Methods(maps);
   std::vector<Sample> samples;
-  for (const Run& run : maps) samples.push_back({methods.Of(run.method), run.Value(value)});
-  return HistogramChart({title, label, "runs", false, false, ""}, methods.names(), samples);
+  for (const Run& run : maps) samples.push_back({methods.Of(run.method), value(run)});
+  return HistogramChart({title, label, "runs", AxisKind::kLinear, AxisKind::kWhole, kLeastNote},
+                        methods.names(), samples);
+}
+
+std::string Histograms(const std::vector<Run>& maps) {
+  return Histogram(maps, "Angle distortion, mean", "mean quasi-conformal ratio - 1",
+                   [](const Run& run) { return Excess(run, "quasi_conformal_mean"); }) +
+         Histogram(maps, "Angle distortion, maximum", "largest quasi-conformal ratio - 1",
+                   [](const Run& run) { return Excess(run, "quasi_conformal_max"); }) +
+         Histogram(maps, "Area distortion", "log area ratio, root mean square", AreaDistortion);
 }
 
 /// A failed attempt at a mesh takes forever; a proof that there is no map is no solution.
@@ -85,8 +111,9 @@ std::vector<Attempt> Attempts(const std::vector<Run>& runs) {
 
 std::string ProfileChart(const std::vector<Run>& runs) {
   const Profiles profiles = PerformanceProfiles(Attempts(runs));
-  ChartText text{
-      "Performance profiles", "time over the best time", "share of meshes", true, false, ""};
+  ChartText text{"Performance profiles", "time over the best time",
+                 "share of meshes",      kLog,
+                 AxisKind::kLinear,      ""};
   if (profiles.methods.size() < 2) return EmptyFigure(text, "They compare two or more methods.");
   if (profiles.problems == 0) {
     return EmptyFigure(text, "There is no mesh yet that all methods have run on.");
@@ -138,7 +165,7 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
     curves.push_back(
         HistoryCurve(run, run.record.at(pointer), strategies.Of(strategy(run)), strategy(run)));
   }
-  return CurveChart({title, "iteration", "largest gradient entry", false, true, ""},
+  return CurveChart({title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""},
                     strategies.names(), curves, false);
 }
 
@@ -148,12 +175,7 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
   std::vector<Run> maps;
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(maps),
                [](const Run& run) { return run.IsOk(); });
-  return TimeScatter(maps) + ProfileChart(runs) +
-         Histogram(maps, "quasi_conformal_mean", "Angle distortion, mean",
-                   "mean quasi-conformal ratio") +
-         Histogram(maps, "quasi_conformal_max", "Angle distortion, maximum",
-                   "largest quasi-conformal ratio") +
-         DistortionScatter(maps) +
+  return TimeScatter(maps) + ProfileChart(runs) + Histograms(maps) + DistortionScatter(maps) +
          ConvergenceChart(runs, "angles", "Convergence of the angle fit",
                           [](const Run& run) { return run.angle_strategy; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",

@@ -11,6 +11,9 @@
 namespace cirque::experiment_report {
 namespace {
 
+constexpr char kLooksForMatplotlib[] =
+    "import importlib.util as u; raise SystemExit(u.find_spec('matplotlib') is None)";
+
 /// Runs a program found in PATH with our own streams; its exit status, or -1.
 int Run(std::vector<std::string> words) {
   std::vector<char*> arguments;
@@ -28,13 +31,17 @@ int Run(std::vector<std::string> words) {
 }  // namespace
 
 Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json) {
-  const int status =
-      Run({"python3", "-c", std::string(kFiguresScript), runs_json, convergence_json});
-  if (status == 0) return Status();
+  // Another Python than the system's may come first in PATH, without the system's packages.
+  for (const std::string python : {"python3", "/usr/bin/python3"}) {
+    if (Run({python, "-c", kLooksForMatplotlib}) != 0) continue;
+    const int status =
+        Run({python, "-c", std::string(kFiguresScript), runs_json, convergence_json});
+    if (status == 0) return Status();
+    return Status::InvalidInput("--pdf: " + python + " could not draw, for the reason above");
+  }
   return Status::InvalidInput(
-      status == 127 || status == -1
-          ? "--pdf: there is no python3; on Debian: apt-get install python3-matplotlib"
-          : "--pdf: no figures, for the reason above; all else has been written");
+      "--pdf: no python3 with matplotlib; on Debian: apt-get install python3-matplotlib. All else "
+      "has been written");
 }
 
 }  // namespace cirque::experiment_report

@@ -55,6 +55,17 @@ std::vector<fs::path> LogFiles(const fs::path& folder) {
 
 std::string Started(const Run& run) { return TextAt(run.record, "/provenance/started"); }
 
+/// What a run is of, whichever code made it: the record without what came out.
+std::string Identity(const Run& run) {
+  json cell = run.record;
+  for (const char* name : {"key", "outcome", "message", "overlap", "values", "seconds", "history",
+                           "map", "provenance"}) {
+    cell.erase(name);
+  }
+  cell["mesh"] = {run.mesh, run.mesh_hash};
+  return run.mesh.empty() || run.method.empty() ? run.key : cell.dump();
+}
+
 class Collector {
  public:
   void Add(const fs::path& file) {
@@ -73,12 +84,14 @@ class Collector {
 
  private:
   void Keep(Run run) {
-    const auto [found, is_new] = position_.try_emplace(run.key, results_.runs.size());
+    const auto [found, is_new] = position_.try_emplace(Identity(run), results_.runs.size());
     if (is_new) {
       results_.runs.push_back(std::move(run));
-    } else if (Started(run) >= Started(results_.runs[found->second])) {
-      results_.runs[found->second] = std::move(run);
+      return;
     }
+    Run& kept = results_.runs[found->second];
+    if (kept.key != run.key) ++results_.superseded;
+    if (Started(run) >= Started(kept)) kept = std::move(run);
   }
 
   Results results_;

@@ -93,6 +93,12 @@ std::string SummaryHtml(const Results& results) {
           Tile("ok", verdicts.ok, "maps") +
           Tile("infeasible", verdicts.infeasible, "proven infeasible") +
           Tile("failed", verdicts.failed, "failed") + "</div>\n";
+  if (results.superseded > 0) {
+    html += fmt::format(
+        "<p class=\"note\">Older records of the same runs, by other code, are left "
+        "out: {}.</p>\n",
+        results.superseded);
+  }
   if (results.skipped_lines > 0) {
     html += fmt::format(
         "<p class=\"note\">{} unreadable {} passed over: the run is under way, or "

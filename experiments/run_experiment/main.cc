@@ -9,6 +9,7 @@
 #include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
+#include "experiments/run_experiment/report_program.h"
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/schema.h"
 
@@ -17,6 +18,7 @@ DEFINE_bool(dry_run, false, "check the config, list its runs, write nothing");
 DEFINE_string(only, "", "make only the runs whose name (see --dry_run) contains this");
 DEFINE_bool(fresh, false, "make finished runs again");
 DEFINE_string(output, "", "the folder of the results, instead of the config's");
+DEFINE_bool(report, true, "write report.html, report.csv and report.json at the end");
 DECLARE_bool(help);
 
 namespace cirque {
@@ -82,6 +84,7 @@ int Run(ExperimentConfig config) {
   const StatusOr<RunSummary> summary = RunExperiment(config, *cells, options, ParameterizeCell);
   if (!summary.ok()) return Refuse(summary.status());
   PrintSummary(*summary, cells->size(), config.output);
+  if (FLAGS_report && !summary->records.empty()) WriteReport(config.output);
   return summary->AllSettled() ? 0 : kSomeRunFailed;
 }
 

@@ -3,10 +3,8 @@ import json
 import pathlib
 import sys
 
-try:
-    import matplotlib
-except ImportError:
-    sys.exit("--pdf needs Python's matplotlib; on Debian: apt-get install python3-matplotlib")
+import matplotlib
+
 matplotlib.use("pdf")
 import matplotlib.pyplot as plt
 

@@ -42,21 +42,16 @@ async function readMesh(view) {
   return { x, y, z, u, v, colours, vertexOfPoint, pointOfCorner, seams, boundary };
 }
 
-// Moves the box of the coordinates to the origin; half its diagonal becomes 1.
+// Moves the middle of the coordinates' box to the origin; the farthest point's distance becomes 1.
 function normalize(...coordinates) {
-  const ranges = coordinates.map((list) => {
-    let low = Infinity, high = -Infinity;
-    for (const value of list) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
-    return [low, high];
+  const centred = coordinates.map((list) => {
+    const low = list.reduce((a, b) => Math.min(a, b), Infinity);
+    const high = list.reduce((a, b) => Math.max(a, b), -Infinity);
+    return list.map((value) => value - (low + high) / 2);
   });
-  const radius = Math.hypot(...ranges.map(([low, high]) => high - low)) / 2 || 1;
-  return coordinates.map((list, k) => {
-    const middle = (ranges[k][0] + ranges[k][1]) / 2;
-    return list.map((value) => (value - middle) / radius);
-  });
+  const radius = centred[0].reduce(
+    (most, _, i) => Math.max(most, Math.hypot(...centred.map((list) => list[i]))), 0) || 1;
+  return centred.map((list) => list.map((value) => value / radius));
 }
 
 // Vertex normals: the sum of the faces' normals times their areas.

@@ -41,13 +41,15 @@ const kFaceFragment = `#version 300 es
   }
   void main() {
     vec3 n = normalize(facing);
-    float light = mix(0.42 + 0.58 * abs(dot(n, normalize(vec3(0.3, 0.5, 0.9)))), 1.0, morph);
+    float dim = shading == 1 || shading == 2 ? 0.7 : 0.42;  // colours that mean something stay near
+    float light = mix(dim + (1.0 - dim) * abs(dot(n, normalize(vec3(0.3, 0.5, 0.9)))), 1.0, morph);
     colour = vec4(base() * light, 1.0);
     if (morph == 1.0 && !gl_FrontFacing) colour.rgb = vec3(0.85, 0.1, 0.1);  // mirrored
     if (wire == 1) {
-      vec3 edge = corner / max(fwidth(corner), 1e-6);
+      vec3 width = max(fwidth(corner), 1e-6), edge = corner / width;
+      float fade = 1.0 - smoothstep(0.08, 0.5, max(width.x, max(width.y, width.z)));
       float on = 1.0 - smoothstep(0.4, 1.2, min(edge.x, min(edge.y, edge.z)));
-      colour.rgb = mix(colour.rgb, vec3(0.07), 0.65 * on);
+      colour.rgb = mix(colour.rgb, vec3(0.07), mix(0.12, 0.65, fade) * on);
     }
   }`;
 

@@ -73,7 +73,7 @@ class SurfaceView {
 
   reset() {
     this.turn = multiply(rotation(0, 0.35), rotation(1, -0.5));
-    this.camera = [0, 0, 0.95, 0];
+    this.camera = [0, 0, 0.96, 0];
     this.draw();
   }
 
@@ -113,8 +113,10 @@ class SurfaceView {
     const width = Math.round(canvas.clientWidth * scale), height = Math.round(canvas.clientHeight * scale);
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     gl.viewport(0, 0, width, height);
-    const background = getComputedStyle(canvas).backgroundColor.match(/\d+/g).map((c) => c / 255);
-    gl.clearColor(...background.slice(0, 3), 1);
+    const style = getComputedStyle(canvas);
+    const [background, ink] = [style.backgroundColor, style.color].map(
+      (colour) => colour.match(/\d+/g).slice(0, 3).map((c) => c / 255));
+    gl.clearColor(...background, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
@@ -124,7 +126,7 @@ class SurfaceView {
     faces.use({ ...place, shading: options.shading, wire: options.wire ? 1 : 0, checks: options.checks, scales: 0 });
     gl.drawArrays(gl.TRIANGLES, 0, faces.count);
     const edge = { ...place, towards: 0.01, pixel: [2 / width, 2 / height] };
-    boundary.use({ ...edge, width: 0.8 * scale, tint: [0.15, 0.17, 0.2] });
+    boundary.use({ ...edge, width: 0.8 * scale, tint: ink });
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, boundary.count);
     if (options.seams) {
       seams.use({ ...edge, towards: 0.012, width: 1.2 * scale, tint: [0.88, 0.12, 0.35] });
