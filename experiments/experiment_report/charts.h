@@ -45,7 +45,7 @@ struct Sample {
   double value = 0;
 };
 
-/// Bars of the samples' numbers, those of the series on top of each other.  The kinds of
+/// Bars of the samples' numbers, those of the series on top of each other. The kinds of
 /// axes follow from the numbers.
 std::string HistogramChart(const ChartText& text, const SeriesNames& series,
                            const std::vector<Sample>& samples);

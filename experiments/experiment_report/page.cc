@@ -62,10 +62,14 @@ std::string Body(const std::string& title, const Results& results, const ShownMa
 ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
                       std::size_t most_bytes) {
   ShownMaps maps;
-  maps.views = nlohmann::json::array();
   std::size_t bytes = 0;
+  int too_many = 0;
   for (const Run& run : runs) {
     if (run.map.empty()) continue;
+    if (too_many > 0) {  // maps are read only as long as there is room
+      ++too_many;
+      continue;
+    }
     const StatusOr<UvMap> map = ReadUvMap((std::filesystem::path(folder) / run.map).string());
     if (!map.ok()) {
       maps.left_out.push_back("Not shown: " + map.status().message());
@@ -74,15 +78,17 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
     nlohmann::json view = MapPayload(*map);
     const std::size_t size = view["data"].get_ref<const std::string&>().size();
     if (bytes + size > most_bytes) {
-      maps.left_out.push_back(
-          fmt::format("{} - {} is not shown: the page would become larger than --max_megabytes.",
-                      run.mesh, run.method));
+      ++too_many;
       continue;
     }
     bytes += size;
     view.update({{"key", run.key}, {"mesh", run.mesh}, {"method", run.method}});
     maps.keys.push_back(run.key);
     maps.views.push_back(std::move(view));
+  }
+  if (too_many > 0) {
+    maps.left_out.push_back(fmt::format(
+        "Not shown for lack of room: {} more (experiment_report --max_megabytes=...).", too_many));
   }
   return maps;
 }

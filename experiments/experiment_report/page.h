@@ -13,11 +13,11 @@ namespace cirque::experiment_report {
 struct ShownMaps {
   std::vector<std::string> keys;      ///< of their runs
   nlohmann::json views;               ///< a list: MapPayload with "key", "mesh", "method"
-  std::vector<std::string> left_out;  ///< sentences: which map is not shown, and why
+  std::vector<std::string> left_out;  ///< sentences: which maps are not shown, and why
 };
 
-/// Reads the maps that runs kept, in the order of the runs, as long as their data fits in
-/// `most_bytes` of the page.
+/// Reads the maps that runs kept, in the order of the runs, up to the first whose data exceeds
+/// what is left of `most_bytes` of the page.
 ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
                       std::size_t most_bytes);
 

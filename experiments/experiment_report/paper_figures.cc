@@ -3,7 +3,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include <cstdlib>
+#include <cstdio>
 #include <vector>
 
 #include "experiments/experiment_report/assets.h"
@@ -31,6 +31,7 @@ int Run(std::vector<std::string> words) {
 }  // namespace
 
 Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json) {
+  std::fflush(stdout);  // what it prints comes after our lines
   // Another Python than the system's may come first in PATH, without the system's packages.
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
     if (Run({python, "-c", kLooksForMatplotlib}) != 0) continue;

@@ -29,9 +29,8 @@ std::string TextAt(const nlohmann::json& json, const std::string& pointer);
 
 struct Results {
   std::vector<Run> runs;
-  int superseded = 0;  ///< records left out for later ones of the same run, made by other code
-  int skipped_lines =
-      0;  ///< that are no records, such as the torn last line of a running experiment
+  int superseded = 0;     ///< records left out for later ones of the same run, made by other code
+  int skipped_lines = 0;  ///< that are no records, as the torn last one of a running experiment
 };
 
 /// The records of FOLDER/results.jsonl and FOLDER/results.shard-*.jsonl. Of two with one key the

@@ -1,5 +1,6 @@
 """Figures for papers from the tables of experiment_report: figures.py RUNS.json CONVERGENCE.json"""
 import json
+import math
 import pathlib
 import sys
 
@@ -10,6 +11,8 @@ import matplotlib.pyplot as plt
 
 plt.rcParams.update({"font.family": "serif", "font.size": 9, "figure.figsize": (3.4, 2.6),
                      "pdf.fonttype": 42, "savefig.bbox": "tight"})
+
+LEAST = 1e-5  # less distortion is drawn as this
 
 
 def methods(runs):
@@ -31,8 +34,8 @@ def save(axes, path, drawn):
     plt.close(axes.figure)
 
 
-def scatter(runs, x, y, labels, scale, path):
-    axes = plt.figure().add_subplot(xlabel=labels[0], ylabel=labels[1], xscale=scale, yscale=scale)
+def scatter(runs, x, y, labels, path):
+    axes = plt.figure().add_subplot(xlabel=labels[0], ylabel=labels[1], xscale="log", yscale="log")
     drawn = False
     for marker, method in zip("os^Dv<>ph*" * 10, methods(runs)):
         columns = values([run for run in runs if run["method"] == method], x, y)
@@ -43,11 +46,14 @@ def scatter(runs, x, y, labels, scale, path):
 
 
 def histogram(runs, column, label, path):
-    axes = plt.figure().add_subplot(xlabel=label, ylabel="runs")
+    axes = plt.figure().add_subplot(xlabel=label, ylabel="runs", xscale="log")
     data = [values([run for run in runs if run["method"] == m], column) for m in methods(runs)]
     labelled = [(d[0], m) for d, m in zip(data, methods(runs)) if d]
     if labelled:
-        axes.hist([d for d, _ in labelled], bins=16, stacked=True, label=[m for _, m in labelled])
+        everything = [value for d, _ in labelled for value in d]
+        low, high = math.log10(min(everything)), math.log10(max(everything))
+        bins = [10 ** (low + (high - low + 0.01) * i / 16) for i in range(17)]
+        axes.hist([d for d, _ in labelled], bins=bins, stacked=True, label=[m for _, m in labelled])
     save(axes, path, bool(labelled))
 
 
@@ -71,12 +77,15 @@ def main(runs_path, convergence_path):
     runs = json.loads(pathlib.Path(runs_path).read_text())
     rows = json.loads(pathlib.Path(convergence_path).read_text())
     maps = [run for run in runs if run["outcome"] == "ok"]
+    for run in maps:  # a ratio that is at least 1: what a logarithmic axis can show is its excess
+        ratio = run.get("quasi_conformal_mean")
+        run["excess"] = None if ratio is None else max(ratio - 1, LEAST)
     folder = pathlib.Path(runs_path).parent
-    scatter(maps, "mesh_triangles", "seconds_total", ("triangles", "time [s]"), "log",
-            folder / "time.pdf")
-    scatter(maps, "quasi_conformal_mean", "log_area_ratio_l2",
-            ("mean quasi-conformal ratio", "log area ratio, rms"), "linear", folder / "distortion.pdf")
-    histogram(maps, "quasi_conformal_mean", "mean quasi-conformal ratio", folder / "angles.pdf")
+    ratio = "mean quasi-conformal ratio $-$ 1"
+    scatter(maps, "mesh_triangles", "seconds_total", ("triangles", "time [s]"), folder / "time.pdf")
+    scatter(maps, "excess", "log_area_ratio_l2", (ratio, "log area ratio, rms"),
+            folder / "distortion.pdf")
+    histogram(maps, "excess", ratio, folder / "angles.pdf")
     for stage in ("angles", "radii"):
         convergence(rows, stage, folder / f"convergence_{stage}.pdf")
 
