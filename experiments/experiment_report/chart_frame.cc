@@ -16,7 +16,7 @@ constexpr double kMarkerSize = 3.6;
 constexpr int kColours = 8, kShapes = 4;
 
 std::string Legend(const SeriesNames& series) {
-  if (series.size() < 2) return "";
+  if (series.size() == 1 && series[0].empty()) return "";
   std::string legend = "<div class=\"legend\">";
   for (std::size_t i = 0; i < series.size(); ++i) {
     legend += fmt::format(

@@ -14,7 +14,7 @@ struct ChartText {
   std::string title;
   std::string x_label, y_label;
   AxisKind x_kind = AxisKind::kLinear, y_kind = AxisKind::kLinear;
-  std::string note;  ///< below it, plain text
+  std::string note = {};  ///< below it, plain text
 };
 
 /// The names of the series, which marks refer to by position.

@@ -59,7 +59,7 @@ std::string Started(const Run& run) { return TextAt(run.record, "/provenance/sta
 std::string Identity(const Run& run) {
   json cell = run.record;
   for (const char* name : {"key", "outcome", "message", "overlap", "values", "seconds", "history",
-                           "map", "provenance"}) {
+                           "map", "provenance", "peak_memory_mib", "limits"}) {
     cell.erase(name);
   }
   cell["mesh"] = {run.mesh, run.mesh_hash};
@@ -84,18 +84,22 @@ class Collector {
 
  private:
   void Keep(Run run) {
-    const auto [found, is_new] = position_.try_emplace(Identity(run), results_.runs.size());
-    if (is_new) {
+    const std::string identity = Identity(run);
+    auto found = position_.find("key " + run.key);
+    if (found == position_.end()) found = position_.find(identity);
+    const std::size_t place = found == position_.end() ? results_.runs.size() : found->second;
+    position_["key " + run.key] = position_[identity] = place;
+    if (place == results_.runs.size()) {
       results_.runs.push_back(std::move(run));
       return;
     }
-    Run& kept = results_.runs[found->second];
+    Run& kept = results_.runs[place];
     if (kept.key != run.key) ++results_.superseded;
     if (Started(run) >= Started(kept)) kept = std::move(run);
   }
 
   Results results_;
-  std::map<std::string, std::size_t> position_;
+  std::map<std::string, std::size_t> position_;  ///< of keys and of identities
 };
 
 }  // namespace

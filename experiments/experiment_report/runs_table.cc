@@ -21,6 +21,7 @@ const std::vector<ShownColumn> kShownColumns = {
     {"repeat", "/repeat"},
     {"outcome", "/outcome"},
     {"time [s]", "/seconds/total"},
+    {"memory [MiB]", "/peak_memory_mib"},
     {"overlap", "/overlap"},
     {"qc mean", "/values/quasi_conformal_mean"},
     {"qc max", "/values/quasi_conformal_max"},

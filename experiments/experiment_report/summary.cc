@@ -115,7 +115,7 @@ std::string FailuresHtml(const std::vector<Run>& runs) {
   }
   std::string html;
   for (const auto& [outcome, members] : by_outcome) {
-    html += fmt::format("<details open><summary>{}: {}</summary><table class=\"facts\">",
+    html += fmt::format("<details open><summary>{}: {}</summary><table class=\"facts failures\">",
                         Escape(outcome), members.size());
     for (const Run* run : members) {
       html += fmt::format(

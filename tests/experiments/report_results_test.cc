@@ -43,6 +43,17 @@ TEST(ReportResults, LaterRecordOfTheSameRunHolds) {
   EXPECT_EQ(ResultsOf({later, earlier}).runs.size(), 2u);
 }
 
+TEST(ReportResults, RaisedLimitReplacesTheRecordOfItsKey) {
+  json stopped = ReportRecord("a", "m", 9), again = ReportRecord("a", "m", 20);
+  stopped["outcome"] = "time_limit";
+  stopped["limits"] = {{"seconds", 9}};
+  stopped["mesh"]["triangles"] = 0;
+  const Results results = ResultsOf({stopped, again});
+  ASSERT_EQ(results.runs.size(), 1u);
+  EXPECT_EQ(results.runs[0].outcome, "ok");
+  EXPECT_EQ(results.superseded, 0);
+}
+
 TEST(ReportResults, RecordsMayLackEverythingButKeyAndOutcome) {
   const Results results = ResultsOf({{{"key", "k"}, {"outcome", "exception"}, {"mesh", 7}}});
   ASSERT_EQ(results.runs.size(), 1u);
