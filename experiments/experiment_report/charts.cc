@@ -29,18 +29,18 @@ std::string LeftOut(std::size_t number, std::size_t total) {
 
 std::string CurvePath(const ChartFrame& frame, const Curve& curve, bool steps) {
   std::string path;
+  bool is_point = true;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!frame.Shows(curve.x[i], curve.y[i])) continue;
     const double x = frame.X(curve.x[i]), y = frame.Y(curve.y[i]);
     if (path.empty()) {
       path = fmt::format("M{:.1f} {:.1f}", x, y);
-    } else if (steps) {
-      path += fmt::format("H{:.1f}V{:.1f}", x, y);
-    } else {
-      path += fmt::format("L{:.1f} {:.1f}", x, y);
+      continue;
     }
+    path += steps ? fmt::format("H{:.1f}V{:.1f}", x, y) : fmt::format("L{:.1f} {:.1f}", x, y);
+    is_point = false;
   }
-  return path;
+  return !path.empty() && is_point ? path + "h0" : path;  // its round ends make a dot
 }
 
 /// The borders of the bins, which the axis' range is cut into evenly.
