@@ -10,6 +10,7 @@
 #include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
+#include "experiments/run_experiment/report_program.h"
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/schema.h"
 #include "experiments/run_experiment/worker_pool.h"
@@ -24,6 +25,7 @@ DEFINE_bool(merge, false, "make no run: collect what the shards have recorded");
 DEFINE_bool(markdown, false, "with --help_config: as experiments/CONFIG.md");
 DEFINE_bool(fresh, false, "make finished runs again");
 DEFINE_string(output, "", "the folder of the results, instead of the config's");
+DEFINE_bool(report, true, "write report.html, report.csv and report.json at the end");
 DECLARE_bool(help);
 
 namespace cirque {
@@ -117,6 +119,9 @@ int Run(ExperimentConfig config) {
   const StatusOr<RunSummary> summary = RunExperiment(config, *cells, options, ParameterizeCell);
   if (!summary.ok()) return Refuse(summary.status());
   PrintSummary(*summary, own.size(), config.output + "/" + options.shard.FileName());
+  if (FLAGS_report && options.shard.IsWhole() && !summary->records.empty()) {
+    WriteReport(config.output);
+  }
   return summary->AllSettled() ? 0 : kSomeRunFailed;
 }
 

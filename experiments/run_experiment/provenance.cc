@@ -83,6 +83,7 @@ nlohmann::json Provenance(const ExperimentConfig& config) {
       {"cores", std::thread::hardware_concurrency()},
       {"blas_threads", NumBlasThreads()},
       {"config", config.name},
+      {"question", config.question},
       {"config_hash", config.hash},
   };
 }

@@ -12,7 +12,11 @@
 namespace cirque {
 
 ProgramResult RunProgram(const std::string& command) {
-  const std::string line = ProgramFolder() + "/" + command + " < /dev/null 2>&1";
+  return RunShell(ProgramFolder() + "/" + command);
+}
+
+ProgramResult RunShell(const std::string& command) {
+  const std::string line = command + " < /dev/null 2>&1";
   std::FILE* pipe = popen(line.c_str(), "r");
   CHECK(pipe) << line;
   ProgramResult result;

@@ -15,4 +15,7 @@ struct ProgramResult {
 /// Runs "bin/COMMAND" through the shell, without standard input.
 ProgramResult RunProgram(const std::string& command);
 
+/// The same for any command of the shell.
+ProgramResult RunShell(const std::string& command);
+
 }  // namespace cirque

@@ -28,8 +28,8 @@ std::vector<std::string> Split(const std::string& text, char separator) {
 
 /// A stretched grid whose first face has collapsed.
 TestMap StretchedWithAHole() {
-  TestMap map = MapOf(
-      Grid(3, 2), [](const Eigen::Vector3d& p) { return Eigen::Vector2d(1.1 * p.x(), p.y()); });
+  TestMap map = MapOf(Grid(3, 2),
+                      [](const Eigen::Vector3d& p) { return Eigen::Vector2d(1.1 * p.x(), p.y()); });
   for (Index h = 0; h < 3; ++h) map.uv.value[h] = Eigen::Vector2d(0, 0);
   return map;
 }

@@ -1,0 +1,110 @@
+#include "experiments/experiment_report/chart_frame.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiments/experiment_report/html.h"
+
+namespace cirque::experiment_report {
+namespace {
+
+// The drawing in units of the SVG: it grows with the page.
+constexpr double kWidth = 480, kHeight = 320;
+constexpr double kLeft = 62, kRight = 24, kTop = 12, kBottom = 46;
+constexpr double kMarkerSize = 3.6;
+constexpr int kColours = 8, kShapes = 4;
+
+std::string Legend(const SeriesNames& series) {
+  if (series.size() == 1 && series[0].empty()) return "";
+  std::string legend = "<div class=\"legend\">";
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    legend += fmt::format(
+        "<span><svg viewBox=\"-6 -6 12 12\" width=\"12\" height=\"12\">{}</svg>{}</span>",
+        Marker(static_cast<int>(i), 0, 0, ""), Escape(series[i]));
+  }
+  // The marks of a legend stand for no run.
+  for (std::size_t at; (at = legend.find("class=\"mark ")) != std::string::npos;) {
+    legend.replace(at, 12, "class=\"");
+  }
+  return legend + "</div>";
+}
+
+std::string Caption(const ChartText& text) {
+  return fmt::format("<figure class=\"chart\"><figcaption>{}</figcaption>", Escape(text.title));
+}
+
+}  // namespace
+
+ChartFrame::ChartFrame(const ChartText& text, Axis x, Axis y)
+    : text_(text), x_(std::move(x)), y_(std::move(y)) {}
+
+double ChartFrame::X(double value) const {
+  return kLeft + x_.Position(value) * (kWidth - kLeft - kRight);
+}
+
+double ChartFrame::Y(double value) const {
+  return kHeight - kBottom - y_.Position(value) * (kHeight - kTop - kBottom);
+}
+
+std::string ChartFrame::Grid() const {
+  std::string svg;
+  const double bottom = kHeight - kBottom, right = kWidth - kRight;
+  for (const Axis::Tick& tick : x_.ticks()) {
+    const double x = X(tick.value);
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"tick\" "
+        "x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
+        x, kTop, bottom, bottom + 16, tick.label);
+  }
+  for (const Axis::Tick& tick : y_.ticks()) {
+    const double y = Y(tick.value);
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"tick\" "
+        "x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+        kLeft, y, right, kLeft - 6, y + 4, tick.label);
+  }
+  svg += fmt::format("<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>", kLeft, kTop, bottom, right);
+  svg += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                     (kLeft + right) / 2, kHeight - 8, Escape(x_.label()));
+  svg += fmt::format(
+      "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" "
+      "text-anchor=\"middle\">{}</text>",
+      (kTop + bottom) / 2, Escape(y_.label()));
+  return svg;
+}
+
+std::string ChartFrame::Figure(const SeriesNames& series, const std::string& marks,
+                               const std::string& note) const {
+  const std::string below = text_.note + (text_.note.empty() || note.empty() ? "" : " ") + note;
+  return fmt::format(
+      "{}{}<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}{}</svg>{}</figure>\n",
+      Caption(text_), Legend(series), kWidth, kHeight, Escape(text_.title), Grid(), marks,
+      below.empty() ? "" : "<p class=\"note\">" + Escape(below) + "</p>");
+}
+
+std::string EmptyFigure(const ChartText& text, const std::string& reason) {
+  return "<p class=\"empty missing\">" + Escape(text.title + ": " + reason) + "</p>\n";
+}
+
+std::string MarkClass(int series, const std::string& further) {
+  return fmt::format("class=\"mark s{}{}\"", series % kColours, further);
+}
+
+std::string TitleElement(const std::string& title) {
+  return title.empty() ? "" : "<title>" + Escape(title) + "</title>";
+}
+
+std::string Marker(int series, double x, double y, const std::string& title) {
+  const double r = kMarkerSize;
+  const std::string shapes[kShapes] = {
+      fmt::format("a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z", r, 2 * r),
+      fmt::format("v-{0}h{1}v{1}h-{1}z", r * 0.9, 2 * r * 0.9),
+      fmt::format("l{0} -{1}l{0} {1}z", r, 1.5 * r), fmt::format("l{0} -{0}l{0} {0}l-{0} {0}z", r)};
+  const int shape = series % kShapes;
+  const double down = shape == 2 ? y + 0.75 * r : y;
+  return fmt::format("<path {} d=\"M{:.1f} {:.1f}{}\">{}</path>", MarkClass(series), x - r, down,
+                     shapes[shape], TitleElement(title));
+}
+
+}  // namespace cirque::experiment_report

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/experiment_report/axis.h"
+#include "experiments/experiment_report/charts.h"
+
+namespace cirque::experiment_report {
+
+/// The axes, grid and labels of a chart, and the place of a pair of values in it.
+class ChartFrame {
+ public:
+  ChartFrame(const ChartText& text, Axis x, Axis y);
+
+  double X(double value) const;
+  double Y(double value) const;
+  const Axis& x() const { return x_; }
+  const Axis& y() const { return y_; }
+  bool Shows(double x, double y) const { return x_.Shows(x) && y_.Shows(y); }
+
+  /// The figure element with the marks inside; `note` follows the one of the text.
+  std::string Figure(const SeriesNames& series, const std::string& marks,
+                     const std::string& note) const;
+
+ private:
+  std::string Grid() const;
+
+  const ChartText& text_;
+  Axis x_, y_;
+};
+
+/// A line in place of a figure that would be empty.
+std::string EmptyFigure(const ChartText& text, const std::string& reason);
+
+/// The class attribute of a series' marks.
+std::string MarkClass(int series, const std::string& further = "");
+std::string TitleElement(const std::string& title);
+
+/// A point of the series' shape around a place of the frame.
+std::string Marker(int series, double x, double y, const std::string& title);
+
+}  // namespace cirque::experiment_report

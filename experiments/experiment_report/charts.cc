@@ -1,0 +1,151 @@
+#include "experiments/experiment_report/charts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "experiments/experiment_report/chart_frame.h"
+#include "experiments/experiment_report/html.h"
+
+namespace cirque::experiment_report {
+namespace {
+
+constexpr int kBins = 16;
+constexpr double kLogarithmicRange = 20;  // a histogram over more than this factor has log bins
+
+template <class Items, class Get>
+std::vector<double> Collect(const Items& items, Get get) {
+  std::vector<double> values;
+  for (const auto& item : items) values.push_back(get(item));
+  return values;
+}
+
+std::string LeftOut(std::size_t number, std::size_t total) {
+  if (number == 0) return "";
+  return fmt::format("{} of {} runs are not shown: the value is missing or not positive.", number,
+                     total);
+}
+
+std::string CurvePath(const ChartFrame& frame, const Curve& curve, bool steps) {
+  std::string path;
+  bool is_point = true;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!frame.Shows(curve.x[i], curve.y[i])) continue;
+    const double x = frame.X(curve.x[i]), y = frame.Y(curve.y[i]);
+    if (path.empty()) {
+      path = fmt::format("M{:.1f} {:.1f}", x, y);
+      continue;
+    }
+    path += steps ? fmt::format("H{:.1f}V{:.1f}", x, y) : fmt::format("L{:.1f} {:.1f}", x, y);
+    is_point = false;
+  }
+  return !path.empty() && is_point ? path + "h0" : path;  // its round ends make a dot
+}
+
+/// The borders of the bins, which the axis' range is cut into evenly.
+std::vector<double> BinBorders(const Axis& axis) {
+  std::vector<double> borders;
+  for (int i = 0; i <= kBins; ++i) {
+    const double t = static_cast<double>(i) / kBins;
+    borders.push_back(axis.logarithmic() ? axis.low() * std::pow(axis.high() / axis.low(), t)
+                                         : axis.low() + t * (axis.high() - axis.low()));
+  }
+  return borders;
+}
+
+/// numbers[bin][series].
+std::vector<std::vector<int>> CountBins(const Axis& axis, std::size_t series,
+                                        const std::vector<Sample>& samples) {
+  std::vector<std::vector<int>> numbers(kBins, std::vector<int>(series));
+  for (const Sample& sample : samples) {
+    if (!axis.Shows(sample.value)) continue;
+    const int bin = static_cast<int>(axis.Position(sample.value) * kBins);
+    ++numbers[std::clamp(bin, 0, kBins - 1)][sample.series];
+  }
+  return numbers;
+}
+
+std::string Bars(const ChartFrame& frame, const std::vector<std::vector<int>>& numbers,
+                 const SeriesNames& series) {
+  const std::vector<double> borders = BinBorders(frame.x());
+  std::string marks;
+  for (int bin = 0; bin < kBins; ++bin) {
+    int below = 0;
+    for (std::size_t s = 0; s < series.size(); ++s) {
+      const int number = numbers[bin][s];
+      if (number == 0) continue;
+      const double x = frame.X(borders[bin]), width = frame.X(borders[bin + 1]) - x;
+      const double top = frame.Y(below + number), bottom = frame.Y(below);
+      marks += fmt::format(
+          "<rect {} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">{}</rect>",
+          MarkClass(static_cast<int>(s)), x + 1, top, width - 2, bottom - top,
+          TitleElement(fmt::format("{}: {} between {:.4g} and {:.4g}", series[s], number,
+                                   borders[bin], borders[bin + 1])));
+      below += number;
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::string ScatterChart(const ChartText& text, const SeriesNames& series,
+                         const std::vector<Point>& points) {
+  const ChartFrame frame(
+      text, Axis(text.x_label, text.x_kind, Collect(points, [](const Point& p) { return p.x; })),
+      Axis(text.y_label, text.y_kind, Collect(points, [](const Point& p) { return p.y; })));
+  std::string marks;
+  std::size_t shown = 0;
+  for (const Point& point : points) {
+    if (!frame.Shows(point.x, point.y)) continue;
+    marks += Marker(point.series, frame.X(point.x), frame.Y(point.y), point.title) + "\n";
+    ++shown;
+  }
+  if (shown == 0) return EmptyFigure(text, "No run has both values.");
+  return frame.Figure(series, marks, LeftOut(points.size() - shown, points.size()));
+}
+
+std::string CurveChart(const ChartText& text, const SeriesNames& series,
+                       const std::vector<Curve>& curves, bool steps) {
+  std::vector<double> all_x, all_y;
+  for (const Curve& curve : curves) {
+    all_x.insert(all_x.end(), curve.x.begin(), curve.x.end());
+    all_y.insert(all_y.end(), curve.y.begin(), curve.y.end());
+  }
+  const ChartFrame frame(text, Axis(text.x_label, text.x_kind, all_x),
+                         Axis(text.y_label, text.y_kind, all_y));
+  std::string marks;
+  for (const Curve& curve : curves) {
+    const std::string path = CurvePath(frame, curve, steps);
+    if (path.empty()) continue;
+    marks += fmt::format("<path {} d=\"{}\">{}</path>\n", MarkClass(curve.series, " line"), path,
+                         TitleElement(curve.title));
+  }
+  if (marks.empty()) return EmptyFigure(text, "No run has such a curve.");
+  return frame.Figure(series, marks, "");
+}
+
+std::string HistogramChart(const ChartText& text, const SeriesNames& series,
+                           const std::vector<Sample>& samples) {
+  std::vector<double> values;
+  for (const Sample& sample : samples) {
+    if (std::isfinite(sample.value)) values.push_back(sample.value);
+  }
+  if (values.empty()) return EmptyFigure(text, "No run has this value.");
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const bool logarithmic = *low > 0 && *high > kLogarithmicRange * *low;
+  const Axis x(text.x_label, logarithmic ? AxisKind::kLogarithmic : AxisKind::kLinear, values);
+  const std::vector<std::vector<int>> numbers = CountBins(x, series.size(), samples);
+  std::vector<double> heights = {0};
+  for (const std::vector<int>& bin : numbers) {
+    int height = 0;
+    for (const int number : bin) height += number;
+    heights.push_back(height);
+  }
+  const ChartFrame frame(text, x, Axis(text.y_label, AxisKind::kWhole, heights));
+  return frame.Figure(series, Bars(frame, numbers, series),
+                      LeftOut(samples.size() - values.size(), samples.size()));
+}
+
+}  // namespace cirque::experiment_report

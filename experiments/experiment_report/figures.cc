@@ -1,0 +1,185 @@
+#include "experiments/experiment_report/figures.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "experiments/experiment_report/chart_frame.h"
+#include "experiments/experiment_report/charts.h"
+#include "experiments/experiment_report/html.h"
+#include "experiments/experiment_report/performance_profile.h"
+
+namespace cirque::experiment_report {
+namespace {
+
+using nlohmann::json;
+
+constexpr AxisKind kLog = AxisKind::kLogarithmic;
+
+/// The distinct names, sorted, and the position of each.
+class Series {
+ public:
+  template <class Get>
+  Series(const std::vector<Run>& runs, Get get) {
+    std::set<std::string> names;
+    for (const Run& run : runs) names.insert(get(run));
+    names_.assign(names.begin(), names.end());
+  }
+  int Of(const std::string& name) const {
+    return static_cast<int>(std::lower_bound(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  const SeriesNames& names() const { return names_; }
+
+ private:
+  SeriesNames names_;
+};
+
+Series Methods(const std::vector<Run>& runs) {
+  return Series(runs, [](const Run& run) { return run.method; });
+}
+
+std::string PointTitle(const Run& run, double x, double y) {
+  return fmt::format("{} - {}: {}, {}", run.mesh, run.method, ShownNumber(x), ShownNumber(y));
+}
+
+std::string TimeScatter(const std::vector<Run>& maps) {
+  const Series methods = Methods(maps);
+  std::vector<Point> points;
+  for (const Run& run : maps) {
+    points.push_back({methods.Of(run.method), run.triangles, run.seconds,
+                      PointTitle(run, run.triangles, run.seconds)});
+  }
+  return ScatterChart({"Time against size", "triangles", "time [s]", kLog, kLog, ""},
+                      methods.names(), points);
+}
+
+// Less distortion is drawn as this: it would only stretch the logarithmic axes.
+constexpr double kLeastDistortion = 1e-5;
+constexpr char kLeastNote[] = "Less than 1e-5 is shown as 1e-5.";
+
+/// NaN stays NaN.
+double Shown(double distortion) {
+  return distortion < kLeastDistortion ? kLeastDistortion : distortion;
+}
+
+/// How far a ratio that is at least 1 exceeds it.
+double Excess(const Run& run, const std::string& ratio) { return Shown(run.Value(ratio) - 1); }
+
+double AreaDistortion(const Run& run) { return Shown(run.Value("log_area_ratio_l2")); }
+
+std::string DistortionScatter(const std::vector<Run>& maps) {
+  const Series methods = Methods(maps);
+  std::vector<Point> points;
+  for (const Run& run : maps) {
+    const double angle = Excess(run, "quasi_conformal_mean"), area = AreaDistortion(run);
+    points.push_back({methods.Of(run.method), angle, area, PointTitle(run, angle, area)});
+  }
+  return ScatterChart({"Area against angle distortion", "mean quasi-conformal ratio - 1",
+                       "log area ratio, root mean square", kLog, kLog, kLeastNote},
+                      methods.names(), points);
+}
+
+template <class Get>
+std::string Histogram(const std::vector<Run>& maps, const std::string& title,
+                      const std::string& label, Get value) {
+  const Series methods = Methods(maps);
+  std::vector<Sample> samples;
+  for (const Run& run : maps) samples.push_back({methods.Of(run.method), value(run)});
+  return HistogramChart({title, label, "runs", AxisKind::kLinear, AxisKind::kWhole, kLeastNote},
+                        methods.names(), samples);
+}
+
+std::string Histograms(const std::vector<Run>& maps) {
+  return Histogram(maps, "Angle distortion, mean", "mean quasi-conformal ratio - 1",
+                   [](const Run& run) { return Excess(run, "quasi_conformal_mean"); }) +
+         Histogram(maps, "Angle distortion, maximum", "largest quasi-conformal ratio - 1",
+                   [](const Run& run) { return Excess(run, "quasi_conformal_max"); }) +
+         Histogram(maps, "Area distortion", "log area ratio, root mean square", AreaDistortion);
+}
+
+/// A failed attempt at a mesh takes forever; a proof that there is no map is no solution.
+std::vector<Attempt> Attempts(const std::vector<Run>& runs) {
+  std::vector<Attempt> attempts;
+  for (const Run& run : runs) {
+    attempts.push_back({run.mesh + "/" + run.mesh_hash, run.method,
+                        run.IsOk() ? run.seconds : std::numeric_limits<double>::infinity()});
+  }
+  return attempts;
+}
+
+std::string ProfileChart(const std::vector<Run>& runs) {
+  const Profiles profiles = PerformanceProfiles(Attempts(runs));
+  ChartText text{"Performance profiles", "time over the best time",
+                 "share of meshes",      kLog,
+                 AxisKind::kLinear,      ""};
+  if (profiles.methods.size() < 2) return EmptyFigure(text, "They compare two or more methods.");
+  if (profiles.problems == 0) {
+    return EmptyFigure(text, "There is no mesh yet that all methods have run on.");
+  }
+  text.note =
+      fmt::format("{} meshes that every method ran on and one of them mapped.", profiles.problems);
+  double last = 1.1;
+  for (const Profile& profile : profiles.methods) {
+    if (!profile.ratios.empty()) last = std::max(last, profile.ratios.back());
+  }
+  SeriesNames names;
+  std::vector<Curve> curves;
+  for (const Profile& profile : profiles.methods) {
+    Curve curve{static_cast<int>(names.size()), {1}, {0}, profile.method};
+    for (std::size_t i = 0; i < profile.ratios.size(); ++i) {
+      curve.x.push_back(profile.ratios[i]);
+      curve.y.push_back((i + 1.0) / profiles.problems);
+    }
+    curve.x.push_back(last);
+    curve.y.push_back(curve.y.back());
+    names.push_back(profile.method);
+    curves.push_back(curve);
+  }
+  return CurveChart(text, names, curves, true);
+}
+
+/// The curve of one history, gradients that are no positive numbers left out when it is drawn.
+Curve HistoryCurve(const Run& run, const json& history, int series, const std::string& strategy) {
+  Curve curve{series, {}, {}, run.mesh + " - " + run.method + " - " + strategy};
+  for (const json& gradient : history) {
+    curve.x.push_back(static_cast<double>(curve.x.size()));
+    curve.y.push_back(gradient.is_number() ? gradient.get<double>()
+                                           : std::numeric_limits<double>::quiet_NaN());
+  }
+  return curve;
+}
+
+template <class Get>
+std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& stage,
+                             const std::string& title, Get strategy) {
+  const json::json_pointer pointer("/history/" + stage);
+  std::vector<Run> with_history;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(with_history), [&](const Run& run) {
+    return run.record.contains(pointer) && run.record.at(pointer).is_array();
+  });
+  const Series strategies(with_history, strategy);
+  std::vector<Curve> curves;
+  for (const Run& run : with_history) {
+    curves.push_back(
+        HistoryCurve(run, run.record.at(pointer), strategies.Of(strategy(run)), strategy(run)));
+  }
+  return CurveChart({title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""},
+                    strategies.names(), curves, false);
+}
+
+}  // namespace
+
+std::string FiguresHtml(const std::vector<Run>& runs) {
+  std::vector<Run> maps;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(maps),
+               [](const Run& run) { return run.IsOk(); });
+  return TimeScatter(maps) + ProfileChart(runs) + Histograms(maps) + DistortionScatter(maps) +
+         ConvergenceChart(runs, "angles", "Convergence of the angle fit",
+                          [](const Run& run) { return run.angle_strategy; }) +
+         ConvergenceChart(runs, "radii", "Convergence of the log radii",
+                          [](const Run& run) { return run.strategy; });
+}
+
+}  // namespace cirque::experiment_report

@@ -1,0 +1,87 @@
+// The results of an experiment as one page to look at, and as flat tables.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+#include "cirque/core/atomic_file.h"
+
+#include "experiments/common/flag_parsing.h"
+#include "experiments/experiment_report/flat_tables.h"
+#include "experiments/experiment_report/page.h"
+#include "experiments/experiment_report/paper_figures.h"
+
+DEFINE_string(output, "", "where to write the page; empty: RESULTS_DIR/report.html");
+DEFINE_bool(pdf, false, "figures for papers too, as PDF, by Python's matplotlib");
+DEFINE_double(max_megabytes, 15, "maps that would make the page larger than this are left out");
+DECLARE_bool(help);
+
+namespace cirque::experiment_report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kSource[] = "experiments/experiment_report/";
+constexpr char kUsage[] =
+    "experiment_report [FLAGS] RESULTS_DIR\n"
+    "Writes the results of an experiment, finished or under way, as report.html, one page that\n"
+    "needs no other file; beside it report.csv and report.json (a row a run), convergence.csv and\n"
+    "convergence.json (a row an iteration).\n\n";
+constexpr int kBadInput = 2;
+constexpr double kMegabyte = 1e6;
+constexpr double kWithoutMaps = 1;  // [MB] of the page left for all else
+
+int Refuse(const Status& status) {
+  fmt::print(stderr, "experiment_report: {}\n", status.message());
+  return kBadInput;
+}
+
+/// STEM.csv and STEM.json.
+Status WriteTable(const fs::path& stem, const FlatTable& table) {
+  const Status written = WriteFileAtomically(stem.string() + ".csv", table.Csv());
+  return written.ok() ? WriteFileAtomically(stem.string() + ".json", table.Json()) : written;
+}
+
+Status WriteReport(const std::string& folder, const fs::path& page) {
+  const StatusOr<Results> results = ReadResults(folder);
+  if (!results.ok()) return results.status();
+  const double bytes = std::max(0.0, FLAGS_max_megabytes - kWithoutMaps) * kMegabyte;
+  const ShownMaps maps = CollectMaps(folder, results->runs, static_cast<std::size_t>(bytes));
+  const std::string title = fs::weakly_canonical(folder).filename();
+  const std::string html = ReportHtml(title, *results, maps);
+  if (Status s = WriteFileAtomically(page.string(), html); !s.ok()) return s;
+  fs::path stem = page;
+  if (Status s = WriteTable(stem.replace_extension(), RunTable(results->runs)); !s.ok()) return s;
+  const fs::path convergence = page.parent_path() / "convergence";
+  if (Status s = WriteTable(convergence, ConvergenceTable(results->runs)); !s.ok()) return s;
+  fmt::print("report: {} ({} runs, {} maps, {:.1f} MB)\n", page.string(), results->runs.size(),
+             maps.keys.size(), static_cast<double>(html.size()) / kMegabyte);
+  return FLAGS_pdf ? DrawPaperFigures(stem.string() + ".json", convergence.string() + ".json")
+                   : Status();
+}
+
+int Main(int argc, char** argv) {
+  const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
+  if (!arguments.ok()) return Refuse(arguments.status());
+  if (FLAGS_help) {
+    fmt::print("{}{}", kUsage, FlagHelp(kSource));
+    return 0;
+  }
+  if (arguments->size() != 1) {
+    return Refuse(
+        Status::InvalidInput("usage: experiment_report [FLAGS] RESULTS_DIR (see --help)"));
+  }
+  const fs::path folder = arguments->front();
+  const fs::path page = FLAGS_output.empty() ? folder / "report.html" : fs::path(FLAGS_output);
+  const Status status = WriteReport(folder.string(), page);
+  return status.ok() ? 0 : Refuse(status);
+}
+
+}  // namespace
+}  // namespace cirque::experiment_report
+
+int main(int argc, char** argv) { return cirque::experiment_report::Main(argc, argv); }

@@ -1,0 +1,146 @@
+#include "experiments/experiment_report/runs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace cirque::experiment_report {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+bool IsRecord(const json& line) {
+  return line.is_object() && line.contains("key") && line["key"].is_string() &&
+         line.contains("outcome") && line["outcome"].is_string();
+}
+
+Run MakeRun(json record) {
+  Run run;
+  run.key = TextAt(record, "/key");
+  run.mesh = TextAt(record, "/mesh/name");
+  run.mesh_hash = TextAt(record, "/mesh/hash");
+  run.method = TextAt(record, "/method/name");
+  run.strategy = TextAt(record, "/method/strategy");
+  run.angle_strategy = TextAt(record, "/method/angle_strategy");
+  run.outcome = TextAt(record, "/outcome");
+  run.message = TextAt(record, "/message");
+  run.map = TextAt(record, "/map");
+  run.triangles = NumberAt(record, "/mesh/triangles");
+  run.seconds = NumberAt(record, "/seconds/total");
+  run.record = std::move(record);
+  return run;
+}
+
+/// results.jsonl first, then the shards by name.
+std::vector<fs::path> LogFiles(const fs::path& folder) {
+  std::vector<fs::path> shards;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("results.shard-") && name.ends_with(".jsonl")) {
+      shards.push_back(entry.path());
+    }
+  }
+  std::sort(shards.begin(), shards.end());
+  if (fs::exists(folder / "results.jsonl", error)) {
+    shards.insert(shards.begin(), folder / "results.jsonl");
+  }
+  return shards;
+}
+
+std::string Started(const Run& run) { return TextAt(run.record, "/provenance/started"); }
+
+/// What a run is of, whichever code made it: the record without what came out.
+std::string Identity(const Run& run) {
+  json cell = run.record;
+  for (const char* name : {"key", "outcome", "message", "overlap", "values", "seconds", "history",
+                           "map", "provenance", "peak_memory_mib", "limits"}) {
+    cell.erase(name);
+  }
+  cell["mesh"] = {run.mesh, run.mesh_hash};
+  return run.mesh.empty() || run.method.empty() ? run.key : cell.dump();
+}
+
+class Collector {
+ public:
+  void Add(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    for (std::string line; std::getline(stream, line);) {
+      if (line.empty()) continue;
+      json record = json::parse(line, nullptr, false);
+      if (IsRecord(record)) {
+        Keep(MakeRun(std::move(record)));
+      } else {
+        ++results_.skipped_lines;
+      }
+    }
+  }
+  Results Take() { return std::move(results_); }
+
+ private:
+  void Keep(Run run) {
+    const std::string identity = Identity(run);
+    auto found = position_.find("key " + run.key);
+    if (found == position_.end()) found = position_.find(identity);
+    const std::size_t place = found == position_.end() ? results_.runs.size() : found->second;
+    position_["key " + run.key] = position_[identity] = place;
+    if (place == results_.runs.size()) {
+      results_.runs.push_back(std::move(run));
+      return;
+    }
+    Run& kept = results_.runs[place];
+    if (kept.key != run.key) ++results_.superseded;
+    if (Started(run) >= Started(kept)) kept = std::move(run);
+  }
+
+  Results results_;
+  std::map<std::string, std::size_t> position_;  ///< of keys and of identities
+};
+
+}  // namespace
+
+double NumberAt(const json& value, const std::string& pointer) {
+  const json::json_pointer place(pointer);
+  if (!value.contains(place) || !value.at(place).is_number()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return value.at(place).get<double>();
+}
+
+std::string TextAt(const json& value, const std::string& pointer) {
+  const json::json_pointer place(pointer);
+  if (!value.contains(place) || value.at(place).is_null()) return "";
+  const json& found = value.at(place);
+  return found.is_string() ? found.get<std::string>() : found.dump();
+}
+
+double Run::Value(const std::string& name) const {
+  return NumberAt(record, (json::json_pointer("/values") / name).to_string());
+}
+
+StatusOr<Results> ReadResults(const std::string& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    return Status::InvalidInput(
+        fmt::format("{}: no such folder; name the `output` of an experiment's config", folder));
+  }
+  const std::vector<fs::path> files = LogFiles(folder);
+  Collector collector;
+  for (const fs::path& file : files) collector.Add(file);
+  Results results = collector.Take();
+  if (!results.runs.empty()) return results;
+  return Status::InvalidInput(
+      files.empty() ? fmt::format("{}: holds no results.jsonl: run_experiment has not run there, "
+                                  "or no run of it has ended yet",
+                                  folder)
+                    : fmt::format("{}: holds no record yet ({} unreadable): wait for the first run "
+                                  "to end",
+                                  files.front().string(), results.skipped_lines));
+}
+
+}  // namespace cirque::experiment_report

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cirque/core/status.h"
+
+namespace cirque::experiment_report {
+
+/// One record of an experiment. What a record lacks is empty, or NaN.
+struct Run {
+  nlohmann::json record;
+  std::string key, mesh, mesh_hash, method, strategy, angle_strategy, outcome, message;
+  std::string map;  ///< of the kept map, relative to the folder of the results
+  double triangles = 0, seconds = 0;
+
+  bool IsOk() const { return outcome == "ok"; }
+  /// `/values/NAME` of the record.
+  double Value(const std::string& name) const;
+};
+
+/// The number at a JSON pointer, NaN where there is none.
+double NumberAt(const nlohmann::json& json, const std::string& pointer);
+
+/// The string at a JSON pointer, numbers and lists as JSON writes them; empty where there is none.
+std::string TextAt(const nlohmann::json& json, const std::string& pointer);
+
+struct Results {
+  std::vector<Run> runs;
+  int superseded = 0;     ///< records left out for later ones of the same run, made by other code
+  int skipped_lines = 0;  ///< that are no records, as the torn last one of a running experiment
+};
+
+/// The records of FOLDER/results.jsonl and FOLDER/results.shard-*.jsonl. Of two with one key the
+/// one started later holds, of two that tell no time the later line. Error: no folder, no record.
+StatusOr<Results> ReadResults(const std::string& folder);
+
+}  // namespace cirque::experiment_report

@@ -1,0 +1,112 @@
+// The page of experiment_report in a browser: it draws, sorts, and complains of nothing.
+#include <cstdlib>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/common/run_program.h"
+#include "tests/experiments/report_fixtures.h"
+
+namespace cirque {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Waits for the maps to be drawn, compares either canvas with its background, looks whether
+// turning, zooming, flattening, colours and wires change the picture, sorts the table by time, and
+// writes what it found into the page for --dump-dom.
+constexpr char kProbe[] = R"(<script type="module">
+const found = [];
+const byId = (id) => document.getElementById(id);
+const pixels = (canvas) => {
+  const gl = canvas.getContext("webgl2"), data = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  return data;
+};
+const differing = (one, other) => {
+  let number = 0;
+  for (let i = 0; i < one.length; i += 4) {
+    number += one[i] !== other(i) || one[i + 1] !== other(i + 1) || one[i + 2] !== other(i + 2);
+  }
+  return number / (one.length / 4);
+};
+const wait = (ready) => new Promise((done) => {
+  const look = () => (ready() ? done() : setTimeout(look, 1));
+  look();
+});
+const act = async (name, how) => {
+  const before = pixels(byId("surface"));
+  how();
+  await new Promise((done) => setTimeout(done, 100));
+  const after = pixels(byId("surface"));
+  found.push(name + (differing(before, (i) => after[i]) > 1e-3 ? " changes" : " does nothing"));
+};
+const set = (id, value) => () => {
+  byId(id).value = value;
+  byId(id).dispatchEvent(new Event("input"));
+};
+await wait(() => [...document.querySelectorAll("canvas")].every((c) => c.dataset.faces > 0));
+for (const canvas of document.querySelectorAll("canvas")) {
+  const data = pixels(canvas);
+  found.push(`${canvas.id} ${differing(data, (i) => data[i % 4]) > 0.01 ? "drawn" : "blank"}`);
+}
+await act("turn", () => byId("surface").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" })));
+await act("wire", () => byId("wire").click());
+await act("zoom", () => byId("surface").dispatchEvent(new WheelEvent("wheel", { deltaY: 300 })));
+await act("colours", set("shading", 1));
+await act("flat", set("morph", 1));
+const heads = [...document.querySelectorAll("#runs th")];
+const time = heads.findIndex((head) => head.textContent.startsWith("time"));
+for (const direction of ["up", "down"]) {
+  heads[time].querySelector("button").click();
+  const rows = [...document.querySelectorAll("#runs tbody tr")];
+  found.push(direction + " " + rows.map((row) => row.cells[0].textContent).join(""));
+}
+const report = document.createElement("pre");
+report.textContent = ["PROBE", found.join("; "), "END"].join(" ");
+document.body.append(report);
+</script></body>)";
+
+// The browser's virtual time runs ahead of its screen, which then never asks for a frame.
+constexpr char kFrames[] =
+    "<script>window.requestAnimationFrame = (paint) => setTimeout(paint, 1);</script></head>";
+
+/// Prints the DOM after the page has run, and the browser's log.
+ProgramResult Browse(const std::string& page, const std::string& profile) {
+  return RunShell(
+      "timeout 60 chromium --headless --no-sandbox --use-angle=swiftshader "
+      "--enable-unsafe-swiftshader --disable-dev-shm-usage --user-data-dir=" +
+      profile + " --enable-logging=stderr --virtual-time-budget=600000 --dump-dom file://" + page);
+}
+
+// Sorted by number, not by text; a run without a time stays last.
+TEST(ReportInBrowserSlow, DrawsSortsAndHasNoErrors) {
+  if (std::system("command -v chromium > /dev/null") != 0) {
+    GTEST_SKIP() << "chromium is not installed (Debian: apt-get install chromium)";
+  }
+  const TemporaryFolder folder;
+  folder.Write("maps/a.obj", PyramidObj(5));
+  nlohmann::json a = ReportRecord("a", "m", 10), b = ReportRecord("b", "m", 9);
+  nlohmann::json c = ReportRecord("c", "m", 100), d = ReportRecord("d", "m", 0);
+  a["map"] = "maps/a.obj";
+  d["outcome"] = "timeout";
+  d["seconds"] = nlohmann::json::object();
+  folder.Write("results.jsonl", JsonLines({a, b, c, d}));
+  ASSERT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
+  std::string html = folder.Read("report.html");
+  html.replace(html.find("</head>"), 7, kFrames);
+  html.replace(html.rfind("</body>"), 7, kProbe);
+  const std::string dom = Browse(folder.Write("probed.html", html), folder.Path("profile")).output;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(dom, found, std::regex("PROBE ([^<]*) END")))
+      << dom.substr(0, 3000);
+  EXPECT_EQ(found[1],
+            "surface drawn; image drawn; turn changes; wire changes; zoom changes; "
+            "colours changes; flat changes; up bacd; down cabd");
+  EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
+}
+
+}  // namespace
+}  // namespace cirque

@@ -1,0 +1,104 @@
+// The charts of experiment_report: as many marks as there is to show, at their places.
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiments/experiment_report/axis.h"
+#include "experiments/experiment_report/charts.h"
+#include "experiments/experiment_report/figures.h"
+#include "tests/experiments/report_fixtures.h"
+
+namespace cirque::experiment_report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+int Count(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+constexpr char kMark[] = "class=\"mark ";
+
+TEST(Axis, TicksAreRoundAndHoldTheValues) {
+  const Axis linear("x", AxisKind::kLinear, {0.13, 0.92});
+  EXPECT_EQ(linear.low(), 0);
+  EXPECT_EQ(linear.high(), 1);
+  EXPECT_EQ(linear.ticks()[1].label, "0.2");
+  EXPECT_DOUBLE_EQ(linear.Position(0.25), 0.25);
+  const Axis logarithmic("x", AxisKind::kLogarithmic, {0, -1, 0.02, 30});
+  EXPECT_DOUBLE_EQ(logarithmic.low(), 0.01);
+  EXPECT_DOUBLE_EQ(logarithmic.high(), 100);
+  EXPECT_DOUBLE_EQ(logarithmic.Position(1), 0.5);
+  const Axis tiny("x", AxisKind::kLogarithmic, {1e-12, 1});
+  EXPECT_EQ(tiny.ticks().front().label, "10⁻¹²");
+}
+
+TEST(Axis, OneValueOrNoneGivesARange) {
+  for (const AxisKind kind : {AxisKind::kLinear, AxisKind::kWhole, AxisKind::kLogarithmic}) {
+    for (const std::vector<double>& values :
+         {std::vector<double>{}, {0}, {1}, {-3}, {std::numeric_limits<double>::quiet_NaN()}}) {
+      const Axis axis("x", kind, values);
+      EXPECT_LT(axis.low(), axis.high());
+      EXPECT_GE(axis.ticks().size(), 2u);
+    }
+  }
+}
+
+TEST(ScatterChart, OneMarkARecordAndTheRestIsCounted) {
+  std::vector<Point> points;
+  for (int i = 0; i < 37; ++i) points.push_back({i % 2, 10.0 + i, 1.0 + i, "run"});
+  points.push_back({0, 0, 1, "no logarithm"});
+  points.push_back({0, std::nan(""), 1, "missing"});
+  const ChartText text{"T", "x", "y", AxisKind::kLogarithmic, AxisKind::kLogarithmic, ""};
+  const std::string html = ScatterChart(text, {"one", "two"}, points);
+  EXPECT_EQ(Count(html, kMark), 37);
+  EXPECT_EQ(Count(html, "class=\"mark s1\""), 18);
+  EXPECT_THAT(html, HasSubstr("2 of 39 runs are not shown"));
+  EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+TEST(HistogramChart, BarsAddUpToTheSamples) {
+  std::vector<Sample> samples;
+  for (int i = 0; i < 50; ++i) samples.push_back({i % 3, 1 + 0.01 * i * i});
+  const std::string html = HistogramChart({"T", "x", "runs"}, {"a", "b", "c"}, samples);
+  const std::regex number("<title>[abc]: (\\d+) between");
+  int total = 0;
+  for (std::sregex_iterator bar(html.begin(), html.end(), number), end; bar != end; ++bar) {
+    total += std::stoi((*bar)[1]);
+  }
+  EXPECT_EQ(total, 50);
+}
+
+TEST(CurveChart, StepsGoRightThenUp) {
+  const std::string html =
+      CurveChart({"T", "x", "y"}, {"a"}, {{0, {0, 10}, {0, 5}, "curve"}}, true);
+  EXPECT_EQ(Count(html, kMark), 1);
+  EXPECT_TRUE(std::regex_search(html, std::regex("d=\"M[0-9. ]+H[0-9.]+V[0-9.]+\""))) << html;
+}
+
+TEST(Figures, MarksFollowTheRecords) {
+  std::vector<nlohmann::json> records;
+  for (const std::string mesh : {"a", "b", "c"}) {
+    records.push_back(ReportRecord(mesh, "fast", 1));
+    records.push_back(ReportRecord(mesh, "slow", 3));
+  }
+  const std::string html = FiguresHtml(ResultsOf(records).runs);
+  // 6 points in each scatter chart, 2 profiles, 3 histograms of one bin with 2 series, 6 + 6
+  // curves.
+  EXPECT_EQ(Count(html, kMark), 6 + 6 + 2 + 3 * 2 + 12);
+}
+
+TEST(Figures, WithoutValuesEachSaysWhy) {
+  const std::string html = FiguresHtml(ResultsOf({{{"key", "k"}, {"outcome", "crash"}}}).runs);
+  EXPECT_EQ(Count(html, kMark), 0);
+  EXPECT_EQ(Count(html, "class=\"empty missing\""), 8);
+}
+
+}  // namespace
+}  // namespace cirque::experiment_report
