@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/cones/registry.h"
+#include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/pipeline/sphere_normalization.h"
@@ -62,6 +63,9 @@ DEFINE_string(edge_costs, cirque::ParameterizeOptions().edge_costs,
 DEFINE_double(epsilon, cirque::ParameterizeOptions().epsilon,
               "least corner and intersection angle in radians; shrinks where it must");
 DEFINE_int32(max_iterations, cirque::ParameterizeOptions().max_iterations, "steps of each solve");
+DEFINE_int32(threads, 0,
+             "most threads of loops over faces and edges; 0: as CIRQUE_NUM_THREADS says,\n"
+             "else all cores");
 DEFINE_string(domain, "plane",
               "shape to map onto: plane, sphere, disk, half_plane, rectangle, polygon, triangle");
 DEFINE_string(
@@ -115,6 +119,7 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (!FLAGS_ie.empty() && !FLAGS_cut_paths.empty()) {
     return Status::InvalidInput("give one of -ie and -cut_paths");
   }
+  if (FLAGS_threads < 0) return Status::InvalidInput("-threads must be 0 or more");
   if (FLAGS_flip_back && FLAGS_oc.empty()) {
     return Status::InvalidInput("-flip_back is about the metric of -oc, which is missing");
   }
@@ -197,6 +202,7 @@ int Main(int argc, char** argv) {
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);
   const StatusOr<CirclePatternsJob> job = JobOfFlags();
   if (!job.ok()) return Conclude(job.status());
+  const ThreadLimit limit(FLAGS_threads > 0 ? FLAGS_threads : ThreadsByEnvironment());
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};

@@ -1,5 +1,6 @@
 #include "experiments/common/blas_threads.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 // OpenBLAS' own functions, absent in other BLAS.
@@ -17,6 +18,11 @@ namespace cirque {
 void UseOneBlasThread() {
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
   if (omp_set_max_active_levels && !std::getenv("OMP_NUM_THREADS")) omp_set_max_active_levels(0);
+}
+
+int ThreadsByEnvironment() {
+  const char* threads = std::getenv("CIRQUE_NUM_THREADS");
+  return threads ? std::max(0, std::atoi(threads)) : 0;
 }
 
 int NumBlasThreads() { return openblas_get_num_threads ? openblas_get_num_threads() : 0; }

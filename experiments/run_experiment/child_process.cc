@@ -41,7 +41,7 @@ bool WriteInput(int file, const std::string& input) {
 std::vector<std::string> ChildEnvironment() {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
-  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) {
+  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "CIRQUE_NUM_THREADS"}) {
     if (std::getenv(name) == nullptr) variables.push_back(std::string(name) + "=1");
   }
   return variables;

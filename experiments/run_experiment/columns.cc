@@ -53,6 +53,7 @@ std::vector<Column> FixedColumns() {
       {"build", "/provenance/build", "", ""},
       {"cpu", "/provenance/cpu", "", ""},
       {"blas_threads", "/provenance/blas_threads", "", ""},
+      {"threads", "/provenance/threads", "", ""},
   };
   columns.insert(columns.end(), rest.begin(), rest.end());
   return columns;

@@ -17,6 +17,7 @@
 #include <suitesparse/SuiteSparse_config.h>
 #endif
 
+#include "cirque/core/parallel.h"
 #include "cirque/core/version.h"
 
 #include "experiments/common/blas_threads.h"
@@ -82,6 +83,7 @@ nlohmann::json Provenance(const ExperimentConfig& config) {
       {"host", HostName()},
       {"cores", std::thread::hardware_concurrency()},
       {"blas_threads", NumBlasThreads()},
+      {"threads", NumThreads()},
       {"config", config.name},
       {"question", config.question},
       {"config_hash", config.hash},

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/parallel.h"
+
 #include "experiments/common/blas_threads.h"
 #include "experiments/run_experiment/worker_pool.h"
 
@@ -36,7 +38,9 @@ int RunWorker(const RunCell& run_cell) {
     fmt::print(stderr, "{}\n", job.status().message());
     return 1;
   }
+  const ThreadLimit limit(ThreadsByEnvironment());
   job->provenance["blas_threads"] = NumBlasThreads();
+  job->provenance["threads"] = NumThreads();
   StatusOr<Record> record = CarryOut(*job, run_cell);
   if (!record.ok()) {
     fmt::print(stderr, "{}\n", record.status().message());

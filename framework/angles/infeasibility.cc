@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "cirque/angles/exact_proof.h"
+#include "cirque/core/parallel.h"
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
@@ -32,22 +33,21 @@ Margin ComputeMargin(const AngleConstraints& constraints, double epsilon,
                      const Eigen::VectorXd& y) {
   const Triangulation& t = constraints.triangulation();
   const double eps = epsilon / kPi;
-  CompensatedSum sum;
-  Margin margin;
-  const auto add = [&](double term) {
-    sum += term;
-    margin.magnitude += std::abs(term);
-  };
-  for (int row = 0; row < constraints.num_rows(); ++row) {
-    add(y[row] * (y[row] > 0 ? constraints.Lower(row) : constraints.Upper(row)) / kPi);
-  }
-  for (const Index h : t.edge_halfedge) {
+  Eigen::VectorXd of_row(constraints.num_rows()), of_edge(t.num_edges());
+  ParallelFor(constraints.num_rows(), [&](int row) {
+    of_row[row] = y[row] * (y[row] > 0 ? constraints.Lower(row) : constraints.Upper(row)) / kPi;
+  });
+  ParallelFor(t.num_edges(), [&](Index e) {
+    const Index h = t.edge_halfedge[e];
     const double p = constraints.Slope(y.data(), h);
-    add(t.twin[h] == kNone ? -SupportOfInterval(p, eps)
-                           : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps));
-  }
-  margin.value = sum.Value();
-  return margin;
+    of_edge[e] = t.twin[h] == kNone
+                     ? -SupportOfInterval(p, eps)
+                     : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps);
+  });
+  CompensatedSum sum;
+  for (const double term : of_row) sum += term;
+  for (const double term : of_edge) sum += term;
+  return {sum.Value(), of_row.lpNorm<1>() + of_edge.lpNorm<1>()};
 }
 
 /// The ids of the entries with the largest absolute values, those within a thousandth of the

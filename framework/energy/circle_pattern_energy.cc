@@ -5,14 +5,15 @@
 #include <glog/logging.h>
 
 #include "cirque/energy/circle_pattern_residual.h"
-#include "cirque/energy/laplacian_assembler.h"
-#include "cirque/math/compensated_sum.h"
 #include "cirque/math/edge_energy.h"
+#include "cirque/math/parallel_sum.h"
 
 namespace cirque {
 
 CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentAngles& angles)
-    : num_faces_(t.num_faces()), boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
+    : num_faces_(t.num_faces()),
+      laplacian_(t),
+      boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
   for (const Index h : t.edge_halfedge) {
     const Index g = t.twin[h];
     const double alpha = angles.value[h];
@@ -22,8 +23,8 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     } else {
       CHECK_GT(angles.value[g], 0) << "corner " << g;
       CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
-      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), alpha, angles.value[g],
-                        CircleAngle::FromCorners(alpha, angles.value[g])});
+      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), h, g, alpha,
+                        angles.value[g], CircleAngle::FromCorners(alpha, angles.value[g])});
     }
   }
 }
@@ -33,39 +34,46 @@ double CirclePatternEnergy::InteriorEdge::natural_d() const {
 }
 
 bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
-  CompensatedSum sum;
-  for (int f = 0; f < num_faces_; ++f) sum += boundary_star_[f] * rho[f];
-  for (const InteriorEdge& e : edges_) {
-    const double theta = e.angle.theta;
-    sum += EdgePotential(rho[e.i] - rho[e.j], theta).value;
+  const double of_faces =
+      ParallelSum(num_faces_, [&](int f) { return boundary_star_[f] * rho[f]; });
+  const double of_edges = ParallelSum(static_cast<int>(edges_.size()), [&](int k) {
+    const InteriorEdge& e = edges_[k];
+    CompensatedSum sum;
+    sum += EdgePotential(rho[e.i] - rho[e.j], e.angle.theta).value;
     sum -= (e.alpha_i + e.alpha_j) * (rho[e.i] + rho[e.j]);
-  }
-  *value = sum.Value();
+    return sum;
+  });
+  *value = of_faces + of_edges;
   if (!std::isfinite(*value)) return false;
   return gradient ? Gradient(rho, gradient) : true;
 }
 
 bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   if (!AllFinite(rho)) return false;
-  Eigen::Map<Eigen::VectorXd>(gradient, num_faces_) = boundary_star_;
-  for (const InteriorEdge& e : edges_) {
+  Eigen::VectorXd phi = Eigen::VectorXd::Zero(3 * num_faces_);
+  ParallelFor(static_cast<int>(edges_.size()), [&](int k) {
     // The two halves add up to the corner angles themselves: those sum to pi in every triangle, so
     // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
     // by the rounding of pi, every time.
-    const double phi_i = HalfAngle(rho[e.i] - rho[e.j], e.angle);
-    gradient[e.i] -= 2 * phi_i;
-    gradient[e.j] -= 2 * ((e.alpha_i + e.alpha_j) - phi_i);
-  }
+    const InteriorEdge& e = edges_[k];
+    phi[e.h] = HalfAngle(rho[e.i] - rho[e.j], e.angle);
+    phi[e.g] = (e.alpha_i + e.alpha_j) - phi[e.h];
+  });
+  ParallelFor(num_faces_, [&](int f) {
+    gradient[f] = boundary_star_[f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) gradient[f] -= 2 * phi[h];
+  });
   return true;
 }
 
 bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const {
   if (!AllFinite(rho)) return false;
-  LaplacianAssembler laplacian(num_faces_, edges_.size());
-  for (const InteriorEdge& e : edges_) {
-    laplacian.Add(e.i, e.j, HalfAngleWeight(rho[e.i] - rho[e.j], e.angle));
-  }
-  laplacian.Assemble(lower);
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_);
+  ParallelFor(static_cast<int>(edges_.size()), [&](int k) {
+    const InteriorEdge& e = edges_[k];
+    weight[e.h] = weight[e.g] = HalfAngleWeight(rho[e.i] - rho[e.j], e.angle);
+  });
+  laplacian_.Assemble(weight, lower);
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/energy.h"
 #include "cirque/math/circle_angle.h"
 
@@ -42,6 +43,7 @@ class CirclePatternEnergy final : public Energy {
  private:
   struct InteriorEdge {
     int i, j;                 ///< the faces left of the edge's halfedge and of its twin
+    Index h, g;               ///< the halfedge and its twin
     double alpha_i, alpha_j;  ///< their corner angles opposite the edge
     CircleAngle angle;        ///< of intersection, accurate where theta or theta* is tiny
     /// d_e: the log ratio at which both halves agree with the coherent angles.
@@ -50,6 +52,7 @@ class CirclePatternEnergy final : public Energy {
 
   int num_faces_;
   std::vector<InteriorEdge> edges_;
+  DualLaplacian laplacian_;
   Eigen::VectorXd boundary_star_;  ///< per face: 2 pi - sum over its boundary edges of 2 theta*
 };
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cirque/energy/edge_block_assembler.h"
-#include "cirque/math/compensated_sum.h"
+#include "cirque/math/parallel_sum.h"
 
 namespace cirque {
 
@@ -24,31 +24,34 @@ EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
                                        constraints_.Slope(y, r));
 }
 
+Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {
+  const Triangulation& t = constraints_.triangulation();
+  Eigen::VectorXd alpha(t.num_halfedges());
+  *sum = ParallelSum(t.num_edges(), [&](Index e) {
+    const EdgeConjugate g = Conjugate(e, y);
+    const Index l = t.edge_halfedge[e];
+    alpha[l] = g.alpha_l;
+    if (t.twin[l] != kNone) alpha[t.twin[l]] = g.alpha_r;
+    return g.value;
+  });
+  return alpha;
+}
+
 bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient) const {
   if (!AllFinite(y)) return false;
-  const Triangulation& t = constraints_.triangulation();
-  const int rows = constraints_.num_rows();
-  CompensatedSum sum;
   // The slope on the side where y is, at a kink that from below; fixed targets have both equal.
   const auto target = [&](int row) {
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   };
-  for (int row = 0; row < rows; ++row) {
-    sum += -target(row) * y[row];
-    if (gradient) gradient[row] = -target(row);
+  const int rows = constraints_.num_rows();
+  double sum;
+  const Eigen::VectorXd alpha = Maximise(y, &sum);
+  *value = sum - ParallelSum(rows, [&](int row) { return target(row) * y[row]; });
+  if (gradient) {
+    Eigen::Map<Eigen::VectorXd> of_row(gradient, rows);
+    of_row = constraints_.Apply(alpha);
+    for (int row = 0; row < rows; ++row) gradient[row] -= target(row);
   }
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    const EdgeConjugate g = Conjugate(e, y);
-    sum += g.value;
-    if (!gradient) continue;
-    const auto add = [&](Index h, double alpha) {
-      gradient[Triangulation::Face(h)] += alpha;
-      if (const int row = constraints_.VertexRow(h); row != kNone) gradient[row] += alpha;
-    };
-    add(t.edge_halfedge[e], g.alpha_l);
-    if (!t.IsBoundaryEdge(e)) add(t.twin[t.edge_halfedge[e]], g.alpha_r);
-  }
-  *value = sum.Value();
   return std::isfinite(*value);
 }
 
@@ -56,15 +59,15 @@ bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
   if (!AllFinite(y)) return false;
   const Triangulation& t = constraints_.triangulation();
   EdgeBlockAssembler matrix(constraints_);
-  for (Index e = 0; e < t.num_edges(); ++e) {
+  ParallelFor(t.num_edges(), [&](Index e) {
     const EdgeConjugate g = Conjugate(e, y);
     const Index l = t.edge_halfedge[e], r = t.twin[l];
     matrix.Add(l, l, g.h_ll);
-    if (r == kNone) continue;
+    if (r == kNone) return;
     matrix.Add(r, r, g.h_rr);
     matrix.Add(l, r, g.h_lr);
     matrix.Add(r, l, g.h_lr);
-  }
+  });
   matrix.Assemble(lower);
   return true;
 }
@@ -85,27 +88,18 @@ std::vector<Kink> DualAngleEnergy::Kinks() const {
 }
 
 Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {
-  const Triangulation& t = constraints_.triangulation();
-  Eigen::VectorXd alpha(t.num_halfedges());
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    const EdgeConjugate g = Conjugate(e, y);
-    const Index l = t.edge_halfedge[e];
-    alpha[l] = g.alpha_l;
-    if (t.twin[l] != kNone) alpha[t.twin[l]] = g.alpha_r;
-  }
-  return alpha;
+  double sum;
+  return Maximise(y, &sum);
 }
 
 double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha) const {
   const Triangulation& t = constraints_.triangulation();
-  CompensatedSum sum;
-  for (Index e = 0; e < t.num_edges(); ++e) {
+  return ParallelSum(t.num_edges(), [&](Index e) {
     const Index l = t.edge_halfedge[e], r = t.twin[l];
-    sum += r == kNone
+    return r == kNone
                ? objective_->Boundary(reference_[l], epsilon_, alpha[l])
                : objective_->Interior(reference_[l], reference_[r], epsilon_, alpha[l], alpha[r]);
-  }
-  return sum.Value();
+  });
 }
 
 }  // namespace cirque

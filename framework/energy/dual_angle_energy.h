@@ -40,6 +40,9 @@ class DualAngleEnergy final : public Energy {
  private:
   EdgeConjugate Conjugate(Index e, const double* y) const;
 
+  /// alpha(y) and sum_e g_e.
+  Eigen::VectorXd Maximise(const double* y, double* sum) const;
+
   const AngleConstraints constraints_;
   const Eigen::VectorXd& reference_;
   const double epsilon_;

@@ -1,33 +1,136 @@
 #include "cirque/energy/edge_block_assembler.h"
 
-#include <array>
+#include <algorithm>
+#include <utility>
 
-#include "cirque/energy/assemble_lower.h"
+#include "cirque/core/parallel.h"
 
 namespace cirque {
 
+/// The entries of a triangle's column: itself, triangles across its edges, vertices of both.
+class EdgeBlockAssembler::FaceColumn {
+ public:
+  FaceColumn(const EdgeBlockAssembler& d, Index f) {
+    Add(f, d.diagonal_[f]);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      Add(f, d.own_[h]);
+      AddVertex(d, h, d.own_[h]);
+      if (d.shared_[h] == 0) continue;
+      const Index g = d.t_.twin[h], other = Triangulation::Face(g);
+      if (other >= f) Add(other, d.shared_[h]);
+      AddVertex(d, g, d.shared_[h]);
+    }
+  }
+
+  int size() const { return size_; }
+
+  void Write(int* row, double* value) const {
+    for (int k = 0; k < size_; ++k) {
+      row[k] = entry_[k].first;
+      value[k] = entry_[k].second;
+    }
+  }
+
+ private:
+  static constexpr int kMost = 10;  ///< itself, three triangles, six vertices
+
+  void AddVertex(const EdgeBlockAssembler& d, Index h, double x) {
+    if (const int row = d.constraints_.VertexRow(h); row != kNone) Add(row, x);
+  }
+
+  /// Each entry sinks to its place as it comes; equal ones are added up.
+  void Add(int row, double x) {
+    int k = size_;
+    while (k > 0 && entry_[k - 1].first > row) --k;
+    if (k > 0 && entry_[k - 1].first == row) {
+      entry_[k - 1].second += x;
+      return;
+    }
+    std::copy_backward(entry_ + k, entry_ + size_, entry_ + size_ + 1);
+    entry_[k] = {row, x};
+    ++size_;
+  }
+
+  std::pair<int, double> entry_[kMost];
+  int size_ = 0;
+};
+
 EdgeBlockAssembler::EdgeBlockAssembler(const AngleConstraints& constraints)
-    : constraints_(constraints), diagonal_(constraints.num_rows(), 0.0) {
-  blocks_.reserve(constraints.triangulation().num_halfedges());
+    : constraints_(constraints),
+      t_(constraints.triangulation()),
+      own_(t_.num_halfedges(), 0.0),
+      shared_(t_.num_halfedges(), 0.0),
+      diagonal_(constraints.num_rows(), 0.0) {}
+
+/// The column of the entry between the vertices at h and across its edge, kNone when there is none
+/// or h is not the one that gives it.
+int EdgeBlockAssembler::VertexColumn(Index h) const {
+  if (shared_[h] == 0) return kNone;
+  const int a = constraints_.VertexRow(h), b = constraints_.VertexRow(t_.twin[h]);
+  return b == kNone || a == kNone || a > b ? kNone : a;
+}
+
+/// The corners that couple two vertices, by their column.
+std::vector<int> EdgeBlockAssembler::CoupledVertices() const {
+  std::vector<std::pair<int, Index>> by_column;
+  for (Index h = 0; h < t_.num_halfedges(); ++h) {
+    if (const int column = VertexColumn(h); column != kNone) by_column.emplace_back(column, h);
+  }
+  std::sort(by_column.begin(), by_column.end(), [&](const auto& a, const auto& b) {
+    const auto key = [&](const auto& entry) {
+      return std::pair(entry.first, constraints_.VertexRow(t_.twin[entry.second]));
+    };
+    return key(a) < key(b);
+  });
+  std::vector<int> corners;
+  for (const auto& [column, h] : by_column) corners.push_back(h);
+  return corners;
+}
+
+void EdgeBlockAssembler::FillFaceColumns(SparseMatrix* lower) const {
+  int* outer = lower->outerIndexPtr();
+  ParallelFor(t_.num_faces(), [&](int f) {
+    FaceColumn(*this, f).Write(lower->innerIndexPtr() + outer[f], lower->valuePtr() + outer[f]);
+  });
+}
+
+/// The vertices' columns, one after another: the diagonal, then what active edges couple.
+void EdgeBlockAssembler::FillVertexColumns(const std::vector<int>& coupling,
+                                           SparseMatrix* lower) const {
+  const int faces = t_.num_faces(), rows = constraints_.num_rows();
+  std::vector<double> diagonal(diagonal_.begin() + faces, diagonal_.end());
+  for (Index h = 0; h < t_.num_halfedges(); ++h) {
+    if (const int row = constraints_.VertexRow(h); row != kNone) diagonal[row - faces] += own_[h];
+  }
+  int *outer = lower->outerIndexPtr(), *inner = lower->innerIndexPtr();
+  double* value = lower->valuePtr();
+  int end = outer[faces];
+  auto next = coupling.begin();
+  for (int column = faces; column < rows; ++column) {
+    outer[column] = end;
+    inner[end] = column;
+    value[end++] = diagonal[column - faces];
+    for (; next != coupling.end() && constraints_.VertexRow(*next) == column; ++next) {
+      const int row = constraints_.VertexRow(t_.twin[*next]);
+      if (inner[end - 1] != row) inner[end] = row, value[end++] = 0;
+      value[end - 1] += shared_[*next];
+    }
+  }
+  outer[rows] = end;
 }
 
 void EdgeBlockAssembler::Assemble(SparseMatrix* lower) const {
-  const auto rows_of = [&](Index h) -> std::array<int, 2> {
-    return {Triangulation::Face(h), constraints_.VertexRow(h)};
-  };
-  AssembleLower(
-      constraints_.num_rows(),
-      [&](const auto& add) {
-        for (int row = 0; row < constraints_.num_rows(); ++row) add(row, row, diagonal_[row]);
-        for (const auto& [h, g, weight] : blocks_) {
-          for (const int i : rows_of(h)) {
-            for (const int j : rows_of(g)) {
-              if (i != kNone && j != kNone && i >= j) add(i, j, weight);
-            }
-          }
-        }
-      },
-      lower);
+  const int faces = t_.num_faces(), rows = constraints_.num_rows();
+  const std::vector<int> coupling = CoupledVertices();
+  lower->resize(rows, rows);
+  int* outer = lower->outerIndexPtr();
+  outer[0] = 0;
+  ParallelFor(faces, [&](int f) { outer[f + 1] = FaceColumn(*this, f).size(); });
+  for (int f = 0; f < faces; ++f) outer[f + 1] += outer[f];
+  lower->resizeNonZeros(outer[faces] + (rows - faces) + static_cast<int>(coupling.size()));
+  FillFaceColumns(lower);
+  FillVertexColumns(coupling, lower);
+  lower->resizeNonZeros(outer[rows]);
 }
 
 }  // namespace cirque

@@ -7,31 +7,35 @@
 
 namespace cirque {
 
-/// Collects A D A' for the A of angle constraints and a symmetric D over corners: the normal matrix
-/// of every solve of an angle fit.
+/// A D A' for the A of angle constraints and a symmetric D over corners that couples a corner with
+/// itself and with the one across its edge: the normal matrix of every solve of an angle fit.
 class EdgeBlockAssembler {
  public:
+  /// The constraints' triangulation must outlive the assembler.
   explicit EdgeBlockAssembler(const AngleConstraints& constraints);
 
-  /// Adds to D_hg (and, for h != g, must be called once more for D_gh). A zero adds no entries.
-  void Add(Index h, Index g, double weight) {
-    if (weight != 0) blocks_.push_back({h, g, weight});
-  }
+  /// Adds to D_hg, where g is h or its twin; for the twin it must be called once more for D_gh.
+  /// Calls for different h may be made at once.
+  void Add(Index h, Index g, double weight) { (h == g ? own_ : shared_)[h] += weight; }
 
   /// Adds to a diagonal entry of the matrix itself.
   void AddToDiagonal(int row, double weight) { diagonal_[row] += weight; }
 
-  /// The lower triangle; every diagonal entry is stored.
+  /// The lower triangle; every diagonal entry and every entry between a triangle and its
+  /// constrained vertices is stored, others where D has a coupling across the edge.
   void Assemble(SparseMatrix* lower) const;
 
  private:
-  struct Block {
-    Index h, g;
-    double weight;
-  };
+  class FaceColumn;
+
+  void FillFaceColumns(SparseMatrix* lower) const;
+  void FillVertexColumns(const std::vector<int>& coupling, SparseMatrix* lower) const;
+  std::vector<int> CoupledVertices() const;
+  int VertexColumn(Index h) const;
 
   const AngleConstraints& constraints_;
-  std::vector<Block> blocks_;
+  const Triangulation& t_;
+  std::vector<double> own_, shared_;  ///< per corner: D_hh and D_hg
   std::vector<double> diagonal_;
 };
 

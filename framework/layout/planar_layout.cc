@@ -1,9 +1,9 @@
 #include "cirque/layout/planar_layout.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "cirque/core/parallel.h"
 #include "cirque/mesh/counting_sort.h"
 #include "cirque/mesh/disjoint_sets.h"
 
@@ -14,13 +14,11 @@ namespace {
 class SpanningForest {
  public:
   SpanningForest(const Triangulation& t, const EdgeLengths& lengths) {
-    std::vector<Index> order(t.num_edges());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return std::pair(lengths.value[a], a) < std::pair(lengths.value[b], b);
-    });
+    std::vector<std::pair<double, Index>> order(t.num_edges());
+    ParallelFor(t.num_edges(), [&](Index e) { order[e] = {lengths.value[e], e}; });
+    ParallelSort(&order);
     DisjointSets sets(t.num_vertices);
-    for (const Index e : order) {
+    for (const auto& [length, e] : order) {
       const Index a = t.Tail(t.edge_halfedge[e]), b = t.Tip(t.edge_halfedge[e]);
       if (sets.Find(a) == sets.Find(b)) continue;
       sets.Unite(a, b);

@@ -17,6 +17,12 @@ class CompensatedSum {
     sum_ = sum;
     return *this;
   }
+  /// Adds another sum with what it lost.
+  CompensatedSum& operator+=(const CompensatedSum& other) {
+    *this += other.sum_;
+    lost_ += other.lost_;
+    return *this;
+  }
   CompensatedSum& operator-=(double x) { return *this += -x; }
 
   /// Infinite or NaN as the plain sum would be.

@@ -6,6 +6,8 @@
 
 #include <glog/logging.h>
 
+#include "cirque/core/parallel.h"
+
 namespace cirque {
 namespace {
 
@@ -48,11 +50,12 @@ CornerAngles MeasureCornerAngles(const Triangulation& t, const EdgeLengths& leng
   CHECK_EQ(lengths.value.size(), t.num_edges());
   CornerAngles angles;
   angles.value.resize(t.num_halfedges());
-  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+  ParallelFor(t.num_faces(), [&](Index f) {
+    const Index h = 3 * f;
     const std::array<double, 3> angle = TriangleAngles(
         {lengths.value[t.edge[h]], lengths.value[t.edge[h + 1]], lengths.value[t.edge[h + 2]]});
     for (int k = 0; k < 3; ++k) angles.value[h + k] = angle[k];
-  }
+  });
   return angles;
 }
 

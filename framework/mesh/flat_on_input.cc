@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 
+#include "cirque/core/parallel.h"
 #include "cirque/mesh/flip_complex.h"
 
 namespace cirque {
@@ -16,11 +17,12 @@ double Cross(Vector a, Vector b) { return a.real() * b.imag() - a.imag() * b.rea
 std::vector<Vector> SideVectors(const Triangulation& t, const CornerAngles& angles,
                                 const EdgeLengths& lengths) {
   std::vector<Vector> side(t.num_halfedges());
-  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+  ParallelFor(t.num_faces(), [&](Index f) {
+    const Index h = 3 * f;
     side[h] = lengths.value[t.edge[h]];
     side[h + 1] = std::polar(lengths.value[t.edge[h + 1]], kPi - angles.value[h + 2]);
     side[h + 2] = -(side[h] + side[h + 1]);
-  }
+  });
   return side;
 }
 
@@ -45,13 +47,12 @@ FlatOnInput MeasureFaces(const Triangulation& t, const std::vector<Vector>& side
   FlatOnInput flat;
   flat.angles.value.resize(t.num_halfedges());
   flat.lengths.value.resize(t.num_edges());
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
+  ParallelFor(t.num_halfedges(), [&](Index h) {
     const Vector out = side[Triangulation::Prev(h)], back = -side[Triangulation::Next(h)];
     flat.angles.value[h] = std::atan2(Cross(out, back), (std::conj(out) * back).real());
-  }
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    flat.lengths.value[e] = std::abs(side[t.edge_halfedge[e]]);
-  }
+  });
+  ParallelFor(t.num_edges(),
+              [&](Index e) { flat.lengths.value[e] = std::abs(side[t.edge_halfedge[e]]); });
   for (Index f = 0; f < t.num_faces(); ++f) {
     if (!(Cross(side[3 * f], side[3 * f + 1]) > 0)) flat.mirrored.push_back(f);
   }

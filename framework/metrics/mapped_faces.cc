@@ -5,6 +5,7 @@
 
 #include <glog/logging.h>
 
+#include "cirque/core/parallel.h"
 #include "cirque/math/predicates.h"
 #include "cirque/mesh/corner_angles.h"
 
@@ -135,9 +136,10 @@ MappedFaces MeasureFaces(const Triangulation& t, const EdgeLengths& lengths, con
   MappedFaces faces{.triangulation = t, .lengths = lengths, .uv = uv};
   const FaceMeter meter(faces, angles);
   Resize(t.num_faces(), &faces);
+  std::vector<FaceMeasure> measures(t.num_faces());
+  ParallelFor(t.num_faces(), [&](Index f) { measures[f] = meter.Measure(f); });
   for (Index f = 0; f < t.num_faces(); ++f) {
-    const FaceMeasure m = meter.Measure(f);
-    if (m.IsMeasurable()) Append(f, m, &faces);
+    if (measures[f].IsMeasurable()) Append(f, measures[f], &faces);
   }
   Resize(faces.num_faces(), &faces);
   const double size = std::sqrt(faces.area.sum()), image_size = std::sqrt(faces.image_area.sum());

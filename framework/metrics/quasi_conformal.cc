@@ -7,10 +7,8 @@ namespace {
 
 Measurement Measure(const MappedFaces& faces) {
   const Eigen::VectorXd ratio = faces.sigma_max.cwiseQuotient(faces.sigma_min);
-  return {ratio,
-          {AreaMean(faces.area, ratio), AreaPercentile(faces.area, ratio, 0.50),
-           AreaPercentile(faces.area, ratio, 0.95), AreaPercentile(faces.area, ratio, 0.99),
-           Largest(ratio)}};
+  const std::vector<double> at = AreaPercentiles(faces.area, ratio, {0.50, 0.95, 0.99});
+  return {ratio, {AreaMean(faces.area, ratio), at[0], at[1], at[2], Largest(ratio)}};
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "cirque/metrics/statistics.h"
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
-#include <vector>
+#include <utility>
+
+#include "cirque/core/parallel.h"
 
 namespace cirque {
 namespace {
@@ -24,18 +24,23 @@ double AreaMean(const Eigen::VectorXd& area, const Eigen::VectorXd& values) {
   return values.size() == 0 ? kNothing : area.dot(values);
 }
 
-double AreaPercentile(const Eigen::VectorXd& area, const Eigen::VectorXd& values, double fraction) {
-  if (values.size() == 0) return kNothing;
-  std::vector<Eigen::Index> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](auto i, auto j) { return values[i] < values[j]; });
-  const double wanted = fraction * area.sum();
+std::vector<double> AreaPercentiles(const Eigen::VectorXd& area, const Eigen::VectorXd& values,
+                                    const std::vector<double>& fractions) {
+  if (values.size() == 0) return std::vector<double>(fractions.size(), kNothing);
+  std::vector<std::pair<double, int>> order(values.size());
+  for (int i = 0; i < values.size(); ++i) order[i] = {values[i], i};
+  ParallelSort(&order);
+  const double total = area.sum();
+  std::vector<double> percentiles;
   double below = 0;
-  for (const Eigen::Index i : order) {
-    below += area[i];
-    if (below >= wanted) return values[i];
+  auto next = order.begin();
+  for (const double fraction : fractions) {
+    for (; next != order.end() - 1 && below + area[next->second] < fraction * total; ++next) {
+      below += area[next->second];
+    }
+    percentiles.push_back(next->first);
   }
-  return values[order.back()];
+  return percentiles;
 }
 
 }  // namespace cirque

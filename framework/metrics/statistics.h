@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace cirque {
@@ -11,7 +13,9 @@ double Largest(const Eigen::VectorXd& values);
 /// sum A x, for areas A of total 1.
 double AreaMean(const Eigen::VectorXd& area, const Eigen::VectorXd& values);
 
-/// The smallest value that at least this fraction of the area does not exceed.
-double AreaPercentile(const Eigen::VectorXd& area, const Eigen::VectorXd& values, double fraction);
+/// For each fraction, given in increasing order, the smallest value that at least so much of the
+/// area does not exceed.
+std::vector<double> AreaPercentiles(const Eigen::VectorXd& area, const Eigen::VectorXd& values,
+                                    const std::vector<double>& fractions);
 
 }  // namespace cirque

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,8 +89,10 @@ class Flattening {
   Status Solve() {
     certificate_.infeasibility = {};
     Put({{"flips", static_cast<double>(result_.intrinsic.flips.size())}});
+    radii_factor_ = std::make_unique<RadiiFactor>(t());
     if (Status s = Timed("angles", &Flattening::FitAngles); !s.ok()) return s;
     if (Status s = Timed("radii", &Flattening::SolveRadii); !s.ok()) return s;
+    radii_factor_.reset();
     return Timed("layout", &Flattening::ReadBack);
   }
 
@@ -155,7 +158,8 @@ class Flattening {
     const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
     if (!strategy.ok()) return strategy.status();
     LogRadiiResult radii;
-    Status status = SolveLogRadii(t(), result_.angles, **strategy, control_, &radii);
+    Status status =
+        SolveLogRadii(t(), result_.angles, **strategy, control_, radii_factor_.get(), &radii);
     Record("radii", radii.solve);
     RecordHistory("radii", radii.solve);
     certificate_.values["radii_factorizations"] += radii.start.factorizations;
@@ -216,6 +220,7 @@ class Flattening {
   Certificate& certificate_;
   FlatSurface& result_;
   const double source_area_;
+  std::unique_ptr<RadiiFactor> radii_factor_;  ///< analysed while the angles are fitted
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "cirque/energy/laplacian_assembler.h"
+#include "cirque/core/parallel.h"
+#include "cirque/energy/dual_laplacian.h"
+#include "cirque/math/parallel_sum.h"
 #include "cirque/solver/regularization.h"
 
 namespace cirque {
@@ -21,28 +23,30 @@ constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 /// The interior edges' angles and the Newton step that moves them.
 class Volume {
  public:
-  Volume(const Triangulation& t, const CoherentAngles& angles) : num_faces_(t.num_faces()) {
+  Volume(const Triangulation& t, const CoherentAngles& angles)
+      : num_faces_(t.num_faces()), laplacian_(t) {
     for (const Index h : t.edge_halfedge) {
       const Index g = t.twin[h];
       if (g == kNone) continue;
-      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), angles.value[h],
+      edges_.push_back({h, g, Triangulation::Face(h), Triangulation::Face(g), angles.value[h],
                         angles.value[g], 0, 0, 0});
     }
   }
 
   /// The normal equations of the least-squares problem at the present angles.
   void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) {
-    LaplacianAssembler laplacian(num_faces_, edges_.size());
-    right_side->setZero(num_faces_);
-    for (Edge& e : edges_) {
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_), force = weight;
+    ForEachEdge([&](Edge& e) {
       const double sin_i = std::sin(e.phi_i), sin_j = std::sin(e.phi_j);
       e.weight = sin_i * sin_j / std::sin(e.phi_i + e.phi_j);
       e.log_ratio = std::log(sin_j / sin_i);
-      laplacian.Add(e.i, e.j, e.weight);
-      (*right_side)[e.i] += e.weight * e.log_ratio;
-      (*right_side)[e.j] -= e.weight * e.log_ratio;
-    }
-    laplacian.Assemble(lower);
+      weight[e.h] = weight[e.g] = e.weight;
+      force[e.h] = e.weight * e.log_ratio;
+      force[e.g] = -force[e.h];
+    });
+    right_side->resize(num_faces_);
+    ParallelFor(num_faces_, [&](int f) { (*right_side)[f] = force.segment<3>(3 * f).sum(); });
+    laplacian_.Assemble(weight, lower);
   }
 
   /// Moves the angles along the step that these multipliers give, as far as they stay positive and
@@ -55,15 +59,16 @@ class Volume {
     }
     const double slope = SlopeAt(0);
     for (int i = 0; i < kMaxHalvings && SlopeAt(t) < -kOvershoot * slope; ++i) t *= 0.5;
-    for (Edge& e : edges_) {
+    ForEachEdge([t](Edge& e) {
       e.phi_i += t * e.step;
       e.phi_j -= t * e.step;
-    }
+    });
   }
 
  private:
   struct Edge {
-    int i, j;             ///< the faces beside it
+    Index h, g;           ///< its halfedges
+    int i, j;             ///< the faces left of them
     double phi_i, phi_j;  ///< their corner angles opposite it [rad]
     double weight, log_ratio, step;
   };
@@ -74,14 +79,19 @@ class Volume {
 
   /// dV/dt after a share t of the step.
   double SlopeAt(double t) const {
-    double slope = 0;
-    for (const Edge& e : edges_) {
-      slope += e.step * std::log(std::sin(e.phi_j - t * e.step) / std::sin(e.phi_i + t * e.step));
-    }
-    return slope;
+    return ParallelSum(static_cast<int>(edges_.size()), [&](int k) {
+      const Edge& e = edges_[k];
+      return e.step * std::log(std::sin(e.phi_j - t * e.step) / std::sin(e.phi_i + t * e.step));
+    });
+  }
+
+  template <class Body>
+  void ForEachEdge(const Body& body) {
+    ParallelFor(static_cast<int>(edges_.size()), [&](int k) { body(edges_[k]); });
   }
 
   int num_faces_;
+  DualLaplacian laplacian_;
   std::vector<Edge> edges_;
 };
 

@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 
 #include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
-#include "cirque/math/compensated_sum.h"
+#include "cirque/math/parallel_sum.h"
 #include "cirque/radii/pattern_volume.h"
 
 namespace cirque {
@@ -22,17 +23,27 @@ constexpr double kStartGradient =
 /// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles
 /// attain.
 double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const CornerAngles& flat) {
-  CompensatedSum sum;
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    const Index g = t.twin[h];
-    if (g == kNone) continue;
+  return ParallelSum(t.num_edges(), [&](Index e) {
+    const Index h = t.edge_halfedge[e], g = t.twin[h];
+    CompensatedSum sum;
+    if (g == kNone) return sum;
     sum += 2 * Lobachevsky(flat.value[h]);
-    if (h < g) sum += -2 * Lobachevsky(angles.value[h] + angles.value[g]);
-  }
-  return sum.Value();
+    sum += 2 * Lobachevsky(flat.value[g]);
+    sum -= 2 * Lobachevsky(angles.value[h] + angles.value[g]);
+    return sum;
+  });
 }
 
 }  // namespace
+
+RadiiFactor::RadiiFactor(const Triangulation& t)
+    : factor_(MakeCholesky(), kMaxCgIterations),
+      analysis_([this, &t] { factor_.Prepare(DualLaplacian(t).pattern()); }) {}
+
+ReusedFactor* RadiiFactor::Get() {
+  analysis_.Wait();
+  return &factor_;
+}
 
 double LogRadiiResult::RelativeGap() const {
   return std::abs(energy - dual_energy) / (1 + std::abs(energy));
@@ -41,12 +52,19 @@ double LogRadiiResult::RelativeGap() const {
 Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result) {
+  RadiiFactor factor(t);
+  return SolveLogRadii(t, angles, strategy, control, &factor, result);
+}
+
+Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
+                     const SolverStrategy& strategy, const SolveControl& control,
+                     RadiiFactor* factor, LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
-  ReusedFactor factor(MakeCholesky(), kMaxCgIterations);
-  result->start = MaximizePatternVolume(t, angles, energy, kStartGradient, &factor, &rho);
   SolveControl with_factor = control;
-  with_factor.factor = &factor;
+  with_factor.factor = factor->Get();
+  result->start =
+      MaximizePatternVolume(t, angles, energy, kStartGradient, with_factor.factor, &rho);
   result->solve = strategy.Minimize(energy, with_factor, &rho);
   rho.array() -= rho.mean();
   result->log_radii.value = rho;
@@ -70,13 +88,13 @@ CornerAngles FlatCornerAngles(const Triangulation& t, const CoherentAngles& angl
                               const LogRadii& log_radii) {
   CornerAngles flat;
   flat.value.resize(t.num_halfedges());
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
+  ParallelFor(t.num_halfedges(), [&](Index h) {
     const Index g = t.twin[h];
     const Index i = Triangulation::Face(h), j = g == kNone ? i : Triangulation::Face(g);
     flat.value[h] = g == kNone ? angles.value[h]
                                : HalfAngle(log_radii.value[i] - log_radii.value[j],
                                            kPi - angles.value[h] - angles.value[g]);
-  }
+  });
   return flat;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "cirque/core/metric.h"
+#include "cirque/core/parallel.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/solver/reused_factor.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
@@ -21,8 +23,28 @@ struct LogRadiiResult {
   double RelativeGap() const;
 };
 
+/// The factor of the dual Laplacian for SolveLogRadii. Its analysis needs the triangulation alone:
+/// it starts with the construction and may go on beside the angle fit.
+class RadiiFactor {
+ public:
+  /// `triangulation` must outlive the factor.
+  explicit RadiiFactor(const Triangulation& triangulation);
+
+  /// Waits for the analysis.
+  ReusedFactor* Get();
+
+ private:
+  ReusedFactor factor_;
+  BackgroundTask analysis_;
+};
+
 /// Minimises the circle-pattern energy of the coherent angles from the least-squares start
 /// (DESIGN 2.2). kNotConverged when the gradient stays above 1e-9 rad.
+Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
+                     const SolverStrategy& strategy, const SolveControl& control,
+                     RadiiFactor* factor, LogRadiiResult* result);
+
+/// With a factor of its own.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result);

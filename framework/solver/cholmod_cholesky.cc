@@ -2,7 +2,8 @@
 
 #include "cirque/solver/cholmod_cholesky.h"
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <cholmod.h>
 
@@ -43,7 +44,6 @@ class CholmodCholesky final : public SparseCholesky {
     cholmod_start(&common_);
     common_.print = 0;
     common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_AMD;
     common_.postorder = 1;
     common_.final_ll = 1;
     common_.quick_return_if_not_posdef = 1;
@@ -68,11 +68,22 @@ class CholmodCholesky final : public SparseCholesky {
                                              right_side.size());
   }
 
+  std::vector<int> Ordering() const override {
+    if (!factor_) return {};
+    const int* order = static_cast<const int*>(factor_->Perm);
+    return {order, order + factor_->n};
+  }
+
+  void SuggestOrdering(std::vector<int> order) override { suggested_ = std::move(order); }
+
  protected:
   bool Analyze(const SparseMatrix& lower) override {
     cholmod_free_factor(&factor_, &common_);
     cholmod_sparse a = View(lower);
-    factor_ = cholmod_analyze(&a, &common_);
+    const bool given = static_cast<Eigen::Index>(suggested_.size()) == lower.cols();
+    common_.method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+    factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
+    suggested_ = {};
     return factor_ != nullptr;
   }
 
@@ -83,6 +94,7 @@ class CholmodCholesky final : public SparseCholesky {
   }
 
  private:
+  std::vector<int> suggested_;  ///< order of the next analysis; empty: AMD's
   cholmod_common common_ = {};
   cholmod_factor* factor_ = nullptr;
   cholmod_dense* solution_ = nullptr;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxNeighbours = 3;
 constexpr int kEliminated = -1;
+constexpr double kMostNew = 0.2;  ///< share of new unknowns up to which an order is used again
 
 /// Positions of the entries off the diagonal that stand in each row and each column.
 class Neighbours {
@@ -77,10 +78,12 @@ class EliminatingCholesky final : public SparseCholesky {
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {
+    const std::vector<int> order_before = OrderOfKept();
     const Neighbours neighbours(lower);
     ChooseEliminated(lower, neighbours);
+    inner_->SuggestOrdering(OrderLike(order_before));
     LayOutComplement(lower);
-    return true;
+    return kept_.empty() || inner_->Prepare(complement_);
   }
 
   bool FactorizeNumerically(const SparseMatrix& lower) override {
@@ -101,6 +104,36 @@ class EliminatingCholesky final : public SparseCholesky {
   }
 
  private:
+  /// The unknowns that the inner solver eliminated, in its order.
+  std::vector<int> OrderOfKept() const {
+    std::vector<int> order = inner_->Ordering();
+    if (order.size() != kept_.size()) return {};
+    for (int& k : order) k = kept_[k];
+    return order;
+  }
+
+  /// The kept unknowns in an order like one before: active sets change little from step to step,
+  /// and to find an order costs as much as to factor. Unknowns that were not kept then, triangles
+  /// of few neighbours, come first. Empty when too many are new.
+  std::vector<int> OrderLike(const std::vector<int>& order_before) const {
+    std::vector<bool> is_old(number_.size(), false);
+    for (const int i : order_before) {
+      if (i < static_cast<int>(number_.size())) is_old[i] = true;
+    }
+    std::vector<int> order;
+    order.reserve(kept_.size());
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      if (!is_old[kept_[k]]) order.push_back(static_cast<int>(k));
+    }
+    if (order.size() > kMostNew * static_cast<double>(kept_.size())) return {};
+    for (const int i : order_before) {
+      if (i < static_cast<int>(number_.size()) && number_[i] != kEliminated) {
+        order.push_back(number_[i]);
+      }
+    }
+    return order;
+  }
+
   void ChooseEliminated(const SparseMatrix& lower, const Neighbours& neighbours) {
     const int n = static_cast<int>(lower.cols());
     std::vector<bool> must_stay(n, false);

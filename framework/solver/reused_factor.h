@@ -19,6 +19,9 @@ class ReusedFactor {
   ReusedFactor(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
+  /// Analyses the pattern ahead of the first factorization.
+  void Prepare(const SparseMatrix& lower) { cholesky_->Prepare(lower); }
+
   /// x with |A x - b| <= tolerance |b|, or as near as A's own factor comes. Counts and times what
   /// it does in `summary`. False when A is not positive definite in floating point.
   bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,

@@ -11,17 +11,19 @@
 namespace cirque {
 
 bool SparseCholesky::Factorize(const SparseMatrix& lower) {
-  if (!SamePatternAsBefore(lower)) {
-    ++symbolic_analyses_;
-    column_starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
-    row_indices_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
-    if (!Analyze(lower)) {
-      column_starts_.clear();
-      return false;
-    }
-  }
+  if (!Prepare(lower)) return false;
   ++factorizations_;
   return FactorizeNumerically(lower);
+}
+
+bool SparseCholesky::Prepare(const SparseMatrix& lower) {
+  if (SamePatternAsBefore(lower)) return true;
+  ++symbolic_analyses_;
+  column_starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+  row_indices_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+  if (Analyze(lower)) return true;
+  column_starts_.clear();
+  return false;
 }
 
 bool SparseCholesky::SamePatternAsBefore(const SparseMatrix& lower) const {

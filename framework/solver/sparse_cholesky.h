@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cirque/core/registry.h"
 #include "cirque/energy/energy.h"
@@ -18,8 +19,18 @@ class SparseCholesky {
   /// False when the matrix is not positive definite in floating point (or memory ran out).
   bool Factorize(const SparseMatrix& lower);
 
+  /// Analyses the pattern ahead of the first factorization, whatever the values. False when memory
+  /// ran out.
+  bool Prepare(const SparseMatrix& lower);
+
   /// x = A^-1 b with the last factor. @pre Factorize returned true.
   virtual Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) = 0;
+
+  /// The elimination order of the last analysis, first to last; empty when it is not known.
+  virtual std::vector<int> Ordering() const { return {}; }
+
+  /// The order for the next analysis, a permutation of its unknowns. Solvers may look for another.
+  virtual void SuggestOrdering(std::vector<int> order) { static_cast<void>(order); }
 
   int symbolic_analyses() const { return symbolic_analyses_; }
   int factorizations() const { return factorizations_; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cirque/core/parallel.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/metrics/similarity.h"
@@ -178,6 +179,20 @@ TEST(Parameterize, CancellationIsHonoured) {
   Parameterization map;
   EXPECT_EQ(FreeBoundaryMap(GeneratedSurface("bumpy_terrain", 100), {}, control, &map).code(),
             StatusCode::kCancelled);
+}
+
+TEST(Parameterize, IsTheSameForAnyNumberOfThreadsSlow) {
+  const Surface surface = GeneratedSurface("spherical_cap", 5 * kParallelBlock);
+  const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
+  const auto map = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Parameterization result;
+    EXPECT_TRUE(Parameterize(surface, targets, nullptr, {}, {}, &result).ok());
+    return result.uv.value;
+  };
+  const std::vector<Eigen::Vector2d> of_one = map(1);
+  EXPECT_EQ(map(3), of_one);
+  EXPECT_GT((of_one[0] - of_one[1]).norm(), 0);
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "cirque/solver/eliminating_cholesky.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -74,6 +77,52 @@ TEST(EliminatingCholesky, NumericalChangesKeepTheAnalysis) {
   }
   EXPECT_EQ(cholesky->symbolic_analyses(), 1);
   EXPECT_EQ(cholesky->factorizations(), 3);
+}
+
+/// Tells which order it was advised to take.
+class AdvisedCholesky final : public SparseCholesky {
+ public:
+  explicit AdvisedCholesky(std::vector<int>* advice)
+      : advice_(*advice), inner_((*LinearSolvers().Find("eigen"))()) {}
+  Eigen::VectorXd Solve(const Eigen::VectorXd& b) override { return inner_->Solve(b); }
+  std::vector<int> Ordering() const override { return order_; }
+  void SuggestOrdering(std::vector<int> order) override { advice_ = std::move(order); }
+
+ protected:
+  bool Analyze(const SparseMatrix& lower) override {
+    order_.resize(lower.cols());
+    std::iota(order_.rbegin(), order_.rend(), 0);  // backwards
+    return true;
+  }
+  bool FactorizeNumerically(const SparseMatrix& lower) override { return inner_->Factorize(lower); }
+
+ private:
+  std::vector<int>& advice_;
+  std::unique_ptr<SparseCholesky> inner_;
+  std::vector<int> order_;
+};
+
+TEST(EliminatingCholesky, ALittleChangedPatternIsOrderedLikeTheOneBefore) {
+  const Surface surface = GeneratedSurface("flat_delaunay_patch", 300);
+  SparseMatrix lower = AngleFitMatrix(surface, 1e-3);
+  std::vector<int> advice = {-1};
+  const auto cholesky = MakeEliminatingCholesky(std::make_unique<AdvisedCholesky>(&advice));
+  EXPECT_LT(SolveError(lower, cholesky.get()), 1e-9);
+  EXPECT_TRUE(advice.empty());
+  // Two triangles of three inner vertices each, across an edge that has become active.
+  const Triangulation& t = surface.triangulation;
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  const Index h = *std::find_if(t.edge_halfedge.begin(), t.edge_halfedge.end(), [&](Index e) {
+    return t.twin[e] != kNone && !boundary[t.vertex[e]] && !boundary[t.vertex[t.twin[e]]] &&
+           !boundary[t.Tail(e)] && !boundary[t.Tip(e)];
+  });
+  lower.coeffRef(Triangulation::Face(t.twin[h]), Triangulation::Face(h)) = -0.1;
+  lower.makeCompressed();
+  EXPECT_LT(SolveError(lower, cholesky.get()), 1e-9);
+  const int kept = static_cast<int>(lower.cols()) - t.num_faces() + 2;
+  ASSERT_EQ(static_cast<int>(advice.size()), kept);
+  EXPECT_EQ(std::vector<int>(advice.begin(), advice.begin() + 2), (std::vector<int>{0, 1}));
+  for (int k = 2; k < kept; ++k) EXPECT_EQ(advice[k], kept + 1 - k);
 }
 
 TEST(EliminatingCholesky, AnythingLeftOrNothing) {

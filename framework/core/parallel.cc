@@ -1,0 +1,55 @@
+#include "cirque/core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cirque {
+
+using tbb::global_control;
+
+struct ThreadLimit::Control {
+  explicit Control(std::size_t threads) : limit(global_control::max_allowed_parallelism, threads) {}
+  global_control limit;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(threads > 0 ? std::make_unique<Control>(threads) : nullptr) {}
+
+ThreadLimit::~ThreadLimit() = default;
+
+int NumThreads() {
+  return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
+}
+
+void ForEachBlock(int n, const std::function<void(int block, int begin, int end)>& body) {
+  const auto run = [&](int block) {
+    const int begin = block * kParallelBlock;
+    body(block, begin, std::min(n, begin + kParallelBlock));
+  };
+  const int blocks = NumBlocks(n);
+  if (blocks == 1) return run(0);
+  tbb::parallel_for(0, blocks, run);
+}
+
+void ParallelSort(std::vector<std::pair<double, int>>* keys) {
+  tbb::parallel_sort(keys->begin(), keys->end());
+}
+
+struct BackgroundTask::Group {
+  tbb::task_group tasks;
+};
+
+BackgroundTask::BackgroundTask(std::function<void()> work) : group_(std::make_unique<Group>()) {
+  group_->tasks.run(std::move(work));
+}
+
+BackgroundTask::~BackgroundTask() { Wait(); }
+
+void BackgroundTask::Wait() { group_->tasks.wait(); }
+
+}  // namespace cirque

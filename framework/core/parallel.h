@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace cirque {
+
+/// Loops over the faces or edges of a large mesh on all cores, by oneTBB. Blocks have a fixed size
+/// and their results are combined in their order: nothing depends on the number of threads.
+
+/// How many threads the loops of this process may use while this lives; 0: as many as there are
+/// cores. The smallest of several that live at once holds.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+/// The number of threads that the loops may use now.
+int NumThreads();
+
+constexpr int kParallelBlock = 8192;  ///< a few hundred microseconds of edge functions
+
+/// Calls body(block, begin, end) for consecutive blocks of [0, n), at once where threads allow.
+/// body must not throw and must write to what belongs to its block alone.
+void ForEachBlock(int n, const std::function<void(int block, int begin, int end)>& body);
+
+/// The number of blocks of [0, n).
+constexpr int NumBlocks(int n) { return (n + kParallelBlock - 1) / kParallelBlock; }
+
+/// Calls body(i) for every i in [0, n), under the conditions of ForEachBlock.
+template <class Body>
+void ParallelFor(int n, const Body& body) {
+  ForEachBlock(n, [&body](int, int begin, int end) {
+    for (int i = begin; i < end; ++i) body(i);
+  });
+}
+
+/// Sorts by value, then by index; no value may be NaN.
+void ParallelSort(std::vector<std::pair<double, int>>* keys);
+
+/// Work that goes on beside the caller's from construction to Wait(); with one thread it is done by
+/// Wait().
+class BackgroundTask {
+ public:
+  explicit BackgroundTask(std::function<void()> work);
+  ~BackgroundTask();
+  BackgroundTask(const BackgroundTask&) = delete;
+  BackgroundTask& operator=(const BackgroundTask&) = delete;
+
+  void Wait();
+
+ private:
+  struct Group;
+  std::unique_ptr<Group> group_;
+};
+
+}  // namespace cirque

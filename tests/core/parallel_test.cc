@@ -1,0 +1,60 @@
+#include "cirque/core/parallel.h"
+
+#include <atomic>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace cirque {
+namespace {
+
+TEST(Parallel, EveryIndexOnceInItsBlock) {
+  for (const int n : {0, 1, kParallelBlock, kParallelBlock + 1, 5 * kParallelBlock + 7}) {
+    std::vector<int> visits(n, 0), block_of(n, -1);
+    ForEachBlock(n, [&](int block, int begin, int end) {
+      for (int i = begin; i < end; ++i) ++visits[i], block_of[i] = block;
+    });
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), n);
+    for (int i = 0; i < n; ++i) ASSERT_EQ(block_of[i], i / kParallelBlock);
+  }
+}
+
+TEST(Parallel, LimitsHoldWhileTheyLiveAndTheSmallestWins) {
+  const int all = NumThreads();
+  EXPECT_GE(all, 1);
+  {
+    const ThreadLimit one(1), two(2), none(0);
+    EXPECT_EQ(NumThreads(), 1);
+  }
+  EXPECT_EQ(NumThreads(), all);
+}
+
+TEST(Parallel, BackgroundTasksAreDoneAfterTheWaitWhateverTheThreads) {
+  for (const int threads : {0, 1}) {
+    const ThreadLimit limit(threads);
+    std::atomic<int> done = 0;
+    BackgroundTask task([&done] { done = 1; });
+    task.Wait();
+    EXPECT_EQ(done, 1);
+    {
+      const BackgroundTask never_waited_for([&done] { done = 2; });
+    }
+    EXPECT_EQ(done, 2);
+  }
+}
+
+TEST(Parallel, SortsByValueThenIndex) {
+  std::mt19937 random(3);
+  std::vector<std::pair<double, int>> keys;
+  for (int i = 0; i < 50000; ++i) keys.emplace_back(random() % 1000, i);
+  auto expected = keys;
+  std::shuffle(keys.begin(), keys.end(), random);
+  std::stable_sort(expected.begin(), expected.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  ParallelSort(&keys);
+  EXPECT_EQ(keys, expected);
+}
+
+}  // namespace
+}  // namespace cirque
