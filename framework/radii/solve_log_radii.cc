@@ -15,7 +15,6 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
-constexpr int kMaxCgIterations = 6;
 constexpr double kStartGradient =
     1e-2;  ///< from where Newton on the radii converges in a few full steps
 
@@ -43,11 +42,11 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
-  ReusedFactor factor(MakeCholesky(), kMaxCgIterations);
-  result->start = MaximizePatternVolume(t, angles, energy, kStartGradient, &factor, &rho);
-  SolveControl with_factor = control;
-  with_factor.factor = &factor;
-  result->solve = strategy.Minimize(energy, with_factor, &rho);
+  const auto solver = strategy.MakeSystemSolver(energy.NumParameters());
+  result->start = MaximizePatternVolume(t, angles, energy, kStartGradient, solver.get(), &rho);
+  SolveControl with_solver = control;
+  with_solver.system_solver = solver.get();
+  result->solve = strategy.Minimize(energy, with_solver, &rho);
   rho.array() -= rho.mean();
   result->log_radii.value = rho;
   Eigen::VectorXd gradient(rho.size());

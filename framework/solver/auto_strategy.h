@@ -16,6 +16,7 @@ class AutoStrategy final : public SolverStrategy {
   explicit AutoStrategy(const SolverLimits& limits) : limits_(limits) {}
   SolveSummary Minimize(const Energy& energy, const SolveControl& control,
                         Eigen::VectorXd* x) const override;
+  std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const override;
 
  private:
   SolverLimits limits_;

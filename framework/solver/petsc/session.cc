@@ -1,0 +1,61 @@
+#include "cirque/solver/petsc/session.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace cirque {
+namespace {
+
+bool StartedByMpirun() { return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; }
+
+}  // namespace
+
+PetscSession::PetscSession(bool all_ranks) : process_(getpid()) {
+  if (!StartMpi(all_ranks)) return;
+  comm_ = all_ranks ? MPI_COMM_WORLD : MPI_COMM_SELF;
+  MPI_Comm_rank(comm_, &rank_);
+  MPI_Comm_size(comm_, &num_ranks_);
+  StartPetsc();
+}
+
+bool PetscSession::StartMpi(bool all_ranks) {
+  int initialized = 0;
+  MPI_Initialized(&initialized);
+  if (initialized) return true;
+  if (StartedByMpirun() && !all_ranks) {
+    error_ = "this program cannot share its work among the processes that mpirun has started";
+    return false;
+  }
+  // A process by itself needs no daemon for processes to come.
+  if (!StartedByMpirun()) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  int provided = 0;
+  owns_mpi_ = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) == MPI_SUCCESS;
+  if (!owns_mpi_) error_ = "MPI could not be initialised";
+  return owns_mpi_;
+}
+
+void PetscSession::StartPetsc() {
+  PetscBool initialized = PETSC_FALSE;
+  PetscInitialized(&initialized);
+  if (initialized) return;
+  PETSC_COMM_WORLD = comm_;
+  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
+  PetscOptionsSetValue(nullptr, "-skip_petscrc", "true");
+  owns_petsc_ = PetscInitializeNoArguments() == 0;
+  if (!owns_petsc_) {
+    error_ = "PETSc could not be initialised";
+    return;
+  }
+  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+}
+
+bool PetscSession::IsOwner() const { return getpid() == process_ && error_.empty(); }
+
+PetscSession::~PetscSession() {
+  if (getpid() != process_) return;
+  if (owns_petsc_) PetscFinalize();
+  if (owns_mpi_) MPI_Finalize();
+}
+
+}  // namespace cirque
