@@ -1,7 +1,6 @@
 #include "cirque/solver/petsc/rank_system.h"
 
 #include <type_traits>
-#include <utility>
 
 namespace cirque {
 namespace {
@@ -89,23 +88,20 @@ RankSystem::~RankSystem() {
   MatDestroy(&matrix_);
 }
 
-PetscErrorCode RankSystem::SetRows(MatrixRows rows) {
-  const bool same_size = matrix_ && rows.size == rows_.size;
+PetscErrorCode RankSystem::SetRows(const MatrixRows& rows) {
+  const bool same_size = matrix_ && rows.size == size_;
   if (!same_size) PetscCall(KSPDestroy(&solver_));
   PetscCall(MatDestroy(&matrix_));
-  rows_ = std::move(rows);
-  const int n = rows_.num_rows();
-  int num_ranks = 1;
-  MPI_Comm_size(comm_, &num_ranks);
-  if (num_ranks == 1) {
-    PetscCall(MatCreateSeqAIJWithArrays(comm_, n, n, rows_.start.data(), rows_.column.data(),
-                                        rows_.value.data(), &matrix_));
-  } else {
-    PetscCall(MatCreateMPIAIJWithArrays(comm_, n, n, rows_.size, rows_.size, rows_.start.data(),
-                                        rows_.column.data(), rows_.value.data(), &matrix_));
-    rows_.column = {};
-    rows_.value = {};
-  }
+  size_ = rows.size;
+  num_rows_ = rows.num_rows();
+  PetscCall(MatCreate(comm_, &matrix_));
+  PetscCall(MatSetSizes(matrix_, num_rows_, num_rows_, size_, size_));
+  PetscCall(MatSetType(matrix_, MATAIJ));
+  // Of the two the one for another number of ranks does nothing.
+  PetscCall(MatSeqAIJSetPreallocationCSR(matrix_, rows.start.data(), rows.column.data(),
+                                         rows.value.data()));
+  PetscCall(MatMPIAIJSetPreallocationCSR(matrix_, rows.start.data(), rows.column.data(),
+                                         rows.value.data()));
   PetscCall(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
   if (!solver_) return 0;
   PetscCall(KSPSetOperators(solver_, matrix_, matrix_));
@@ -135,8 +131,8 @@ PetscErrorCode RankSystem::MakeSolver(int method) {
 PetscErrorCode RankSystem::Solve(const double* b, double target, int max_iterations, double* x,
                                  MultigridResult* result) {
   Vec right_side, solution;
-  PetscCall(WrapVector(comm_, rows_.num_rows(), rows_.size, b, &right_side));
-  PetscCall(WrapVector(comm_, rows_.num_rows(), rows_.size, x, &solution));
+  PetscCall(WrapVector(comm_, num_rows_, size_, b, &right_side));
+  PetscCall(WrapVector(comm_, num_rows_, size_, x, &solution));
   // The relative test is off: the target alone counts.
   constexpr double kOff = 1e-200;
   PetscCall(KSPSetTolerances(solver_, kOff, target, PETSC_DEFAULT, max_iterations));

@@ -34,7 +34,7 @@ class RankSystem {
   RankSystem(const RankSystem&) = delete;
   RankSystem& operator=(const RankSystem&) = delete;
 
-  PetscErrorCode SetRows(MatrixRows rows);
+  PetscErrorCode SetRows(const MatrixRows& rows);
 
   /// `method`: position in MultigridMethods().
   PetscErrorCode SetUp(int method);
@@ -47,7 +47,7 @@ class RankSystem {
   PetscErrorCode MakeSolver(int method);
 
   MPI_Comm comm_;
-  MatrixRows rows_;  ///< a matrix on one rank uses them in place
+  int size_ = 0, num_rows_ = 0;  ///< of the matrix, and on this rank
   Mat matrix_ = nullptr;
   KSP solver_ = nullptr;
 };
