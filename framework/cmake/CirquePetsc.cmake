@@ -3,7 +3,7 @@
 # one place relative to the programs in the build tree as installed.
 set(CIRQUE_PETSC OFF)
 if(CIRQUE_WITH_PETSC)
-  list(APPEND CMAKE_PREFIX_PATH /usr/lib/petsc)
+  list(APPEND CMAKE_PREFIX_PATH /usr/lib/petsc)  # where Debian has its PETSc.pc
   set(PETSC_REQUIRED)
   if(NOT CIRQUE_WITH_PETSC STREQUAL AUTO)
     set(PETSC_REQUIRED REQUIRED)
@@ -29,7 +29,9 @@ target_include_directories(cirque_petsc PRIVATE ${PROJECT_BINARY_DIR}/include)
 target_include_directories(cirque_petsc SYSTEM PRIVATE ${CIRQUE_PETSC_LIBRARIES_INCLUDE_DIRS})
 target_link_libraries(cirque_petsc PRIVATE cirque_warnings glog::glog
                       ${CIRQUE_PETSC_LIBRARIES_LINK_LIBRARIES})
-install(TARGETS cirque_petsc DESTINATION ${MODULE_DIR} COMPONENT programs)
+foreach(COMPONENT programs development)
+  install(TARGETS cirque_petsc DESTINATION ${MODULE_DIR} COMPONENT ${COMPONENT})
+endforeach()
 
 target_compile_definitions(cirque PRIVATE CIRQUE_PETSC)
 set_source_files_properties(solver/multigrid.cc PROPERTIES COMPILE_DEFINITIONS

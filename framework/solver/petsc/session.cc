@@ -27,8 +27,11 @@ bool PetscSession::StartMpi(bool all_ranks) {
     error_ = "this program cannot share its work among the processes that mpirun has started";
     return false;
   }
-  // A process by itself needs no daemon for processes to come.
-  if (!StartedByMpirun()) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // A process by itself needs no daemon for processes to come; ranks that wait shall leave the core
+  // to those that work. The user's own settings count.
+  const char* setting =
+      StartedByMpirun() ? "OMPI_MCA_mpi_yield_when_idle" : "OMPI_MCA_ess_singleton_isolated";
+  setenv(setting, "1", 0);
   int provided = 0;
   owns_mpi_ = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) == MPI_SUCCESS;
   if (!owns_mpi_) error_ = "MPI could not be initialised";
