@@ -3,9 +3,36 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <set>
 
 namespace cirque {
 namespace {
+
+/// Restores the environment at its end: MPI notes there that this process is by itself, which would
+/// mislead an mpirun that this process starts.
+class EnvironmentGuard {
+ public:
+  EnvironmentGuard() : names_(Names()) {}
+  ~EnvironmentGuard() {
+    for (const std::string& name : Names()) {
+      if (!names_.contains(name)) unsetenv(name.c_str());
+    }
+  }
+  EnvironmentGuard(const EnvironmentGuard&) = delete;
+  EnvironmentGuard& operator=(const EnvironmentGuard&) = delete;
+
+ private:
+  static std::set<std::string> Names() {
+    std::set<std::string> names;
+    for (char** entry = environ; *entry; ++entry) {
+      const std::string text = *entry;
+      names.insert(text.substr(0, text.find('=')));
+    }
+    return names;
+  }
+
+  const std::set<std::string> names_;
+};
 
 bool StartedByMpirun() { return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; }
 
@@ -27,6 +54,7 @@ bool PetscSession::StartMpi(bool all_ranks) {
     error_ = "this program cannot share its work among the processes that mpirun has started";
     return false;
   }
+  const EnvironmentGuard guard;
   // A process by itself needs no daemon for processes to come; ranks that wait shall leave the core
   // to those that work. The user's own settings count.
   const char* setting =
