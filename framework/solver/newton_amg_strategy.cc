@@ -38,7 +38,10 @@ SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveContro
   SystemSolver* solver = control.system_solver ? control.system_solver : &own;
   IterateInexactNewton(options_.forcing, solver, &run, x);
   SolveSummary summary = run.Finish(*x);
-  if (!solver->Remark().empty()) summary.message += "; " + solver->Remark();
+  if (const std::string remark = solver->Remark(); !remark.empty()) {
+    summary.message += "; " + remark;
+    summary.strategy += ", " + remark;
+  }
   return summary;
 }
 

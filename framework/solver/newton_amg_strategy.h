@@ -16,8 +16,8 @@ const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable();
 /// unknowns on the Laplacians of circle patterns. By PETSc (Balay et al., PETSc/TAO users manual,
 /// ANL-21/39) with hypre's BoomerAMG (Henson & Yang, Appl. Numer. Math. 41, 2002) or its own GAMG,
 /// on one process or on all that mpirun has started (ServeOtherRanks). The summary counts
-/// hierarchies as factorizations and multigrid cycles as linear solves; its message says when
-/// systems had to be factored after all.
+/// hierarchies as factorizations and multigrid cycles as linear solves; its message and its
+/// strategy say when systems had to be factored after all.
 class NewtonAmgStrategy final : public SolverStrategy {
  public:
   explicit NewtonAmgStrategy(const NewtonAmgOptions& options) : options_(options) {}

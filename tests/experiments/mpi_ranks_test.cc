@@ -1,9 +1,11 @@
 // circle_patterns started by mpirun: one map, whatever the number of ranks, and no rank waits for
 // ever.
 #include <complex>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cirque/mesh/generators.h"
 #include "cirque/mesh/io.h"
@@ -58,13 +60,19 @@ class MpiRanks : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
+std::string StrategyOfRadii(const std::string& certificate) {
+  std::ifstream file(certificate);
+  return nlohmann::json::parse(file)["strategies"]["radii"];
+}
+
 TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   const std::string amg = "--strategy=newton_amg --angle_strategy=newton_amg";
   const ProgramResult factored =
       RunShell(Program("factored.obj", "--strategy=newton_cg --angle_strategy=newton"));
   const ProgramResult one = RunShell(Program("one.obj", amg));
+  const ProgramResult alone = RunShell(kMpirun + ("-n 1 " + Program("alone.obj", amg)));
   const ProgramResult two = RunShell(kMpirun + ("-n 2 " + Program("two.obj", amg)));
-  for (const ProgramResult& run : {factored, one, two}) {
+  for (const ProgramResult& run : {factored, one, alone, two}) {
     ASSERT_EQ(run.exit_status, 0) << run.output;
     // Only the first rank speaks, and no library does.
     EXPECT_EQ(run.output.find("triangles)"), run.output.rfind("triangles)")) << run.output;
@@ -74,8 +82,11 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   }
   const Points wanted = ReadUv(folder_.Path("factored.obj"));
   EXPECT_GT(wanted.lpNorm<Eigen::Infinity>(), 0);
-  EXPECT_LT(Distance(wanted, ReadUv(folder_.Path("one.obj"))), 1e-9);
-  EXPECT_LT(Distance(wanted, ReadUv(folder_.Path("two.obj"))), 1e-9);
+  for (const std::string name : {"one", "alone", "two"}) {
+    EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9);
+    // Nothing was factored in secret.
+    EXPECT_EQ(StrategyOfRadii(folder_.Path(name + ".certificate.json")), "newton_amg");
+  }
 }
 
 TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {

@@ -34,7 +34,10 @@ class EnvironmentGuard {
   const std::set<std::string> names_;
 };
 
-bool StartedByMpirun() { return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; }
+bool HasOtherRanks() {
+  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return size && std::atoi(size) > 1;
+}
 
 }  // namespace
 
@@ -50,7 +53,7 @@ bool PetscSession::StartMpi(bool all_ranks) {
   int initialized = 0;
   MPI_Initialized(&initialized);
   if (initialized) return true;
-  if (StartedByMpirun() && !all_ranks) {
+  if (HasOtherRanks() && !all_ranks) {
     error_ = "this program cannot share its work among the processes that mpirun has started";
     return false;
   }
@@ -58,7 +61,7 @@ bool PetscSession::StartMpi(bool all_ranks) {
   // A process by itself needs no daemon for processes to come; ranks that wait shall leave the core
   // to those that work. The user's own settings count.
   const char* setting =
-      StartedByMpirun() ? "OMPI_MCA_mpi_yield_when_idle" : "OMPI_MCA_ess_singleton_isolated";
+      HasOtherRanks() ? "OMPI_MCA_mpi_yield_when_idle" : "OMPI_MCA_ess_singleton_isolated";
   setenv(setting, "1", 0);
   int provided = 0;
   owns_mpi_ = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) == MPI_SUCCESS;
