@@ -11,6 +11,7 @@
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/pipeline/sphere_normalization.h"
+#include "cirque/solver/multigrid.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/domains.h"
@@ -94,6 +95,7 @@ constexpr char kUsage[] =
     "  circle_patterns -ic IN.con -oo OUT.obj\n"
     "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
     "  circle_patterns OPTIONS.txt           all options in one text file\n"
+    "  mpirun -n 4 circle_patterns ...       -strategy=newton_amg distributed over processes\n"
     "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
@@ -189,6 +191,9 @@ int Main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
+  const StatusOr<bool> served = ServeOtherRanks();
+  if (!served.ok()) return Conclude(served.status());
+  if (*served) return 0;
   StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
   if (others.ok() && argc == 2 && others->size() == 1) others = ParseOptionsFile(others->front());
   if (!others.ok()) return Conclude(others.status());

@@ -1,5 +1,7 @@
 #include "cirque/angles/registry.h"
 
+#include <algorithm>
+
 #include "cirque/angles/augmented_lagrangian_angle_fit.h"
 #include "cirque/angles/dual_angle_fit.h"
 #include "cirque/angles/interior_point_angle_fit.h"
@@ -45,15 +47,16 @@ const Registry<AngleFitMethodFactory>& AngleFitMethods() {
 }
 
 std::vector<std::string> AngleStrategyNames() {
-  std::vector<std::string> names = SolverStrategies().Names();
+  std::vector<std::string> names = KnownStrategyNames();
   for (const std::string& name : AngleFitMethods().Names()) names.push_back(name);
   return names;
 }
 
 Method MakeAngleFitMethod(const std::string& name, const OptionMap& options) {
   if (const auto method = AngleFitMethods().Find(name); method.ok()) return (*method)(options);
-  if (!SolverStrategies().Find(name).ok()) {
-    return Status::InvalidInput(UnknownName("angle strategy", name, AngleStrategyNames()));
+  const std::vector<std::string> names = AngleStrategyNames();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    return Status::InvalidInput(UnknownName("angle strategy", name, names));
   }
   OptionMap dual = options;
   dual["strategy"] = name;

@@ -18,7 +18,7 @@ using AngleFitMethodFactory =
 /// name of SolverStrategies(), default the first) and hands its other options to that strategy.
 const Registry<AngleFitMethodFactory>& AngleFitMethods();
 
-/// What MakeAngleFitMethod takes: the names of SolverStrategies(), then those of AngleFitMethods().
+/// What MakeAngleFitMethod takes: KnownStrategyNames(), then those of AngleFitMethods().
 std::vector<std::string> AngleStrategyNames();
 
 /// The method that users mean by `name`: a method of AngleFitMethods(), or the dual minimised with

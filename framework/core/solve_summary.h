@@ -63,15 +63,15 @@ enum class CallbackAction { kContinue, kStop };
 using IterationCallback =
     std::function<CallbackAction(const IterationRecord&, const Eigen::VectorXd& x)>;
 
-class ReusedFactor;
+class SystemSolver;
 
 /// How a caller watches a solve, ends it early and helps it; shared by all strategies.
 struct SolveControl {
   IterationCallback callback;                    ///< may be empty
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null; polled at every iterate
-  /// May be null. The factor of a matrix near the Hessian at the start, for strategies that solve
-  /// their systems iteratively; they may factor it anew.
-  ReusedFactor* factor = nullptr;
+  /// May be null. Has solved with a matrix near the Hessian at the start (SolverStrategy's
+  /// MakeSystemSolver), for strategies that solve their systems iteratively.
+  SystemSolver* system_solver = nullptr;
 };
 
 }  // namespace cirque

@@ -89,10 +89,13 @@ class Flattening {
   Status Solve() {
     certificate_.infeasibility = {};
     Put({{"flips", static_cast<double>(result_.intrinsic.flips.size())}});
-    radii_factor_ = std::make_unique<RadiiFactor>(t());
+    const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
+    if (!strategy.ok()) return strategy.status();
+    strategy_ = *strategy;
+    radii_system_ = std::make_unique<RadiiSystem>(t(), *strategy_);
     if (Status s = Timed("angles", &Flattening::FitAngles); !s.ok()) return s;
     if (Status s = Timed("radii", &Flattening::SolveRadii); !s.ok()) return s;
-    radii_factor_.reset();
+    radii_system_.reset();
     return Timed("layout", &Flattening::ReadBack);
   }
 
@@ -155,11 +158,9 @@ class Flattening {
   }
 
   Status SolveRadii() {
-    const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
-    if (!strategy.ok()) return strategy.status();
     LogRadiiResult radii;
     Status status =
-        SolveLogRadii(t(), result_.angles, **strategy, control_, radii_factor_.get(), &radii);
+        SolveLogRadii(t(), result_.angles, *strategy_, control_, radii_system_.get(), &radii);
     Record("radii", radii.solve);
     RecordHistory("radii", radii.solve);
     certificate_.values["radii_factorizations"] += radii.start.factorizations;
@@ -220,7 +221,8 @@ class Flattening {
   Certificate& certificate_;
   FlatSurface& result_;
   const double source_area_;
-  std::unique_ptr<RadiiFactor> radii_factor_;  ///< analysed while the angles are fitted
+  std::shared_ptr<const SolverStrategy> strategy_;  ///< of the radii
+  std::unique_ptr<RadiiSystem> radii_system_;       ///< analysed while the angles are fitted
 };
 
 }  // namespace

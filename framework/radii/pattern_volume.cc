@@ -99,7 +99,7 @@ class Volume {
 
 SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
                                    const CirclePatternEnergy& energy, double gradient_max,
-                                   ReusedFactor* factor, Eigen::VectorXd* rho) {
+                                   SystemSolver* solver, Eigen::VectorXd* rho) {
   Volume volume(t, angles);
   SolveSummary summary;
   HessianShift shift(energy);
@@ -113,7 +113,7 @@ SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles&
     const SparseMatrix& matrix = shift.Apply(lower);
     Eigen::VectorXd change;
     const Eigen::VectorXd missing = right_side - matrix.selfadjointView<Eigen::Lower>() * *rho;
-    if (!factor->Solve(matrix, missing, kTolerance, &change, &summary)) break;
+    if (!solver->Solve(matrix, missing, kTolerance, &change, &summary)) break;
     *rho += change;
     energy.Gradient(rho->data(), gradient.data());
     const double now = gradient.lpNorm<Eigen::Infinity>();

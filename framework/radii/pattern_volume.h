@@ -5,7 +5,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/circle_pattern_energy.h"
-#include "cirque/solver/reused_factor.h"
+#include "cirque/solver/system_solver.h"
 
 namespace cirque {
 
@@ -23,10 +23,10 @@ namespace cirque {
 /// systems need 1 to 7, and the iterates stay coherent.
 ///
 /// Stops when the circle-pattern energy's gradient at rho is at most `gradient_max` [rad], or when
-/// no more progress is made. `factor` keeps the last factor for the radii's own solver. The summary
+/// no more progress is made. `solver` then is ready for the radii's own strategy. The summary
 /// counts linear algebra only.
 SolveSummary MaximizePatternVolume(const Triangulation& triangulation, const CoherentAngles& angles,
                                    const CirclePatternEnergy& energy, double gradient_max,
-                                   ReusedFactor* factor, Eigen::VectorXd* rho);
+                                   SystemSolver* solver, Eigen::VectorXd* rho);
 
 }  // namespace cirque

@@ -16,7 +16,6 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
-constexpr int kMaxCgIterations = 6;
 constexpr double kStartGradient =
     1e-2;  ///< from where Newton on the radii converges in a few full steps
 
@@ -36,13 +35,13 @@ double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const Co
 
 }  // namespace
 
-RadiiFactor::RadiiFactor(const Triangulation& t)
-    : factor_(MakeCholesky(), kMaxCgIterations),
-      analysis_([this, &t] { factor_.Prepare(DualLaplacian(t).pattern()); }) {}
+RadiiSystem::RadiiSystem(const Triangulation& t, const SolverStrategy& strategy)
+    : solver_(strategy.MakeSystemSolver(t.num_faces())),
+      analysis_([this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); }) {}
 
-ReusedFactor* RadiiFactor::Get() {
+SystemSolver* RadiiSystem::Get() {
   analysis_.Wait();
-  return &factor_;
+  return solver_.get();
 }
 
 double LogRadiiResult::RelativeGap() const {
@@ -52,20 +51,20 @@ double LogRadiiResult::RelativeGap() const {
 Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result) {
-  RadiiFactor factor(t);
-  return SolveLogRadii(t, angles, strategy, control, &factor, result);
+  RadiiSystem system(t, strategy);
+  return SolveLogRadii(t, angles, strategy, control, &system, result);
 }
 
 Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
-                     RadiiFactor* factor, LogRadiiResult* result) {
+                     RadiiSystem* system, LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
-  SolveControl with_factor = control;
-  with_factor.factor = factor->Get();
+  SolveControl with_solver = control;
+  with_solver.system_solver = system->Get();
   result->start =
-      MaximizePatternVolume(t, angles, energy, kStartGradient, with_factor.factor, &rho);
-  result->solve = strategy.Minimize(energy, with_factor, &rho);
+      MaximizePatternVolume(t, angles, energy, kStartGradient, with_solver.system_solver, &rho);
+  result->solve = strategy.Minimize(energy, with_solver, &rho);
   rho.array() -= rho.mean();
   result->log_radii.value = rho;
   Eigen::VectorXd gradient(rho.size());

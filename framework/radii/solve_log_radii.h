@@ -1,11 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "cirque/core/metric.h"
 #include "cirque/core/parallel.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/solver/reused_factor.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
@@ -23,18 +24,19 @@ struct LogRadiiResult {
   double RelativeGap() const;
 };
 
-/// The factor of the dual Laplacian for SolveLogRadii. Its analysis needs the triangulation alone:
-/// it starts with the construction and may go on beside the angle fit.
-class RadiiFactor {
+/// What solves SolveLogRadii's linear systems, as the strategy wants it. The analysis of their
+/// pattern needs the triangulation alone: it starts with the construction and may go on beside the
+/// angle fit.
+class RadiiSystem {
  public:
-  /// `triangulation` must outlive the factor.
-  explicit RadiiFactor(const Triangulation& triangulation);
+  /// `triangulation` must outlive the system.
+  RadiiSystem(const Triangulation& triangulation, const SolverStrategy& strategy);
 
   /// Waits for the analysis.
-  ReusedFactor* Get();
+  SystemSolver* Get();
 
  private:
-  ReusedFactor factor_;
+  std::unique_ptr<SystemSolver> solver_;
   BackgroundTask analysis_;
 };
 
@@ -42,9 +44,9 @@ class RadiiFactor {
 /// (DESIGN 2.2). kNotConverged when the gradient stays above 1e-9 rad.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
-                     RadiiFactor* factor, LogRadiiResult* result);
+                     RadiiSystem* system, LogRadiiResult* result);
 
-/// With a factor of its own.
+/// With a system of its own.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result);

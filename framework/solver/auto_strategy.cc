@@ -1,10 +1,17 @@
 #include "cirque/solver/auto_strategy.h"
 
+#include <fmt/format.h>
+
+#include "cirque/solver/newton_amg_strategy.h"
 #include "cirque/solver/newton_cg_strategy.h"
 #include "cirque/solver/newton_strategy.h"
 
 namespace cirque {
 namespace {
+
+/// Just above the largest systems measured (results/multigrid.md): there a factor takes a third
+/// more memory than multigrid, and the share grows; in time neither is far ahead.
+constexpr int kMultigridUnknowns = 10000000;
 
 /// The limits as the first part of another strategy's options.
 template <class Options>
@@ -12,6 +19,10 @@ Options WithLimits(const SolverLimits& limits) {
   Options options;
   static_cast<SolverLimits&>(options) = limits;
   return options;
+}
+
+bool UsesMultigrid(int num_unknowns) {
+  return BuiltWithMultigrid() && num_unknowns >= kMultigridUnknowns;
 }
 
 }  // namespace
@@ -24,7 +35,12 @@ const OptionTable<SolverLimits>& AutoOptionTable() {
 SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                     Eigen::VectorXd* x) const {
   SolveSummary summary;
-  if (control.factor) {
+  if (UsesMultigrid(energy.NumParameters())) {
+    const NewtonAmgStrategy newton_amg(WithLimits<NewtonAmgOptions>(limits_));
+    summary = newton_amg.Minimize(energy, control, x);
+    summary.strategy =
+        fmt::format("auto: newton_amg, for there are {} unknowns or more", kMultigridUnknowns);
+  } else if (control.system_solver) {
     const NewtonCgStrategy newton_cg(WithLimits<NewtonCgOptions>(limits_));
     summary = newton_cg.Minimize(energy, control, x);
     summary.strategy = "auto: newton_cg, for a factor near the Hessian is at hand";
@@ -33,6 +49,11 @@ SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& co
     summary.strategy = "auto: newton, for no factor is at hand";
   }
   return summary;
+}
+
+std::unique_ptr<SystemSolver> AutoStrategy::MakeSystemSolver(int num_unknowns) const {
+  if (!UsesMultigrid(num_unknowns)) return SolverStrategy::MakeSystemSolver(num_unknowns);
+  return NewtonAmgStrategy(WithLimits<NewtonAmgOptions>(limits_)).MakeSystemSolver(num_unknowns);
 }
 
 }  // namespace cirque

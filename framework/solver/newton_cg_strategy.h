@@ -15,10 +15,9 @@ struct NewtonCgOptions : SolverLimits {
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable();
 
 /// Newton's method whose linear systems are solved by conjugate gradients, preconditioned with the
-/// factor of an earlier Hessian: one factorisation where Newton takes one a step. The systems are
-/// solved as tightly as superlinear convergence needs (Eisenstat & Walker 1996, choice 2): relative
-/// residual min(forcing, |g| / |g_before| squared). Factors anew when conjugate gradients need more
-/// than max_cg_iterations.
+/// factor of an earlier Hessian: one factorisation where Newton takes one a step
+/// (IterateInexactNewton, ReusedFactor). Factors anew when conjugate gradients need more than
+/// max_cg_iterations.
 class NewtonCgStrategy final : public SolverStrategy {
  public:
   explicit NewtonCgStrategy(const NewtonCgOptions& options) : options_(options) {}

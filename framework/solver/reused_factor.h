@@ -1,17 +1,16 @@
 #pragma once
 
 #include <memory>
-#include <string>
+#include <utility>
 
-#include "cirque/core/solve_summary.h"
 #include "cirque/solver/sparse_cholesky.h"
+#include "cirque/solver/system_solver.h"
 
 namespace cirque {
 
-/// Solves systems whose matrices change little from one to the next: by conjugate gradients,
-/// preconditioned with the last factor, and with a factor of their own when those take longer than
-/// factoring anew would.
-class ReusedFactor {
+/// Solves by conjugate gradients, preconditioned with the last factor, and with a factor of the
+/// system's own when those take longer than factoring anew would.
+class ReusedFactor final : public SystemSolver {
  public:
   /// `max_cg_iterations`: of a system before its matrix is factored. A triangular solve on the dual
   /// graph of a mesh costs a fifteenth to a twentieth of analysis and factorization, whatever the
@@ -19,13 +18,10 @@ class ReusedFactor {
   ReusedFactor(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
-  /// Analyses the pattern ahead of the first factorization.
-  void Prepare(const SparseMatrix& lower) { cholesky_->Prepare(lower); }
+  void Prepare(const SparseMatrix& lower) override { cholesky_->Prepare(lower); }
 
-  /// x with |A x - b| <= tolerance |b|, or as near as A's own factor comes. Counts and times what
-  /// it does in `summary`. False when A is not positive definite in floating point.
   bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
-             Eigen::VectorXd* x, SolveSummary* summary);
+             Eigen::VectorXd* x, SolveSummary* summary) override;
 
  private:
   bool IterateOnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,

@@ -12,6 +12,7 @@
 #include "cirque/core/registry.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/energy/energy.h"
+#include "cirque/solver/system_solver.h"
 
 namespace cirque {
 
@@ -30,6 +31,10 @@ class SolverStrategy {
   /// Minimises `energy` from *x. The summary's termination says what *x then holds.
   virtual SolveSummary Minimize(const Energy& energy, const SolveControl& control,
                                 Eigen::VectorXd* x) const = 0;
+
+  /// What shall solve the systems of a start with this many unknowns, to be handed on to Minimize
+  /// as control.system_solver. Unless the strategy has another: a ReusedFactor.
+  virtual std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const;
 };
 
 using SolverStrategyFactory =
@@ -37,6 +42,9 @@ using SolverStrategyFactory =
 
 /// The table of strategies, one line an entry in registry.cc.
 const Registry<SolverStrategyFactory>& SolverStrategies();
+
+/// Those names and the one that a build without PETSc lacks, last: what a config may say anywhere.
+std::vector<std::string> KnownStrategyNames();
 
 /// The strategy of that name with those options; errors name the option, its value and its bound.
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,

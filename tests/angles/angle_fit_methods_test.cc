@@ -207,7 +207,8 @@ TEST(AngleFitMethods, NamesOfSolverStrategiesMeanTheDual) {
   std::set<std::string> names;
   for (const std::string& name : AngleStrategyNames()) {
     EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_TRUE(MakeAngleFitMethod(name).ok()) << name;
+    const Status status = MakeAngleFitMethod(name).status();
+    EXPECT_TRUE(status.ok() || status.message().find("built without") != std::string::npos) << name;
   }
   const auto unknown = MakeAngleFitMethod("interior_pint");
   EXPECT_EQ(unknown.status().code(), StatusCode::kInvalidInput);

@@ -86,7 +86,7 @@ TEST(AutoStrategy, SaysWhatItChoseAndWhy) {
   for (ReusedFactor* given : {static_cast<ReusedFactor*>(nullptr), &factor}) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
     SolveControl control;
-    control.factor = given;
+    control.system_solver = given;
     const SolveSummary summary = strategy.Minimize(Coshes(), control, &x);
     EXPECT_TRUE(summary.Converged()) << summary.message;
     EXPECT_LT((x - Eigen::VectorXd::LinSpaced(5, 0, 4)).norm(), 1e-10);

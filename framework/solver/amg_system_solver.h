@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "cirque/solver/multigrid.h"
+#include "cirque/solver/reused_factor.h"
+
+namespace cirque {
+
+struct AmgOptions {
+  std::string multigrid;        ///< an element of MultigridLibrary::Methods(); empty: its first
+  int max_cg_iterations = 100;  ///< a system, on its own hierarchy, before it is factored
+};
+
+/// Solves by conjugate gradients, preconditioned with algebraic multigrid on what the elimination
+/// of diagonal unknowns leaves (MakeEliminatingCholesky): the dual graph's Laplacian of half the
+/// faces in the radii, little more than the vertices' graph Laplacian in an angle fit. In memory
+/// proportional to the unknowns, where a factor takes n log n. A hierarchy serves until iterations
+/// on it cost more than a new one would. Systems on which multigrid does not converge are factored,
+/// and from the second on all that follow: Remark() says so.
+class AmgSystemSolver final : public SystemSolver {
+ public:
+  explicit AmgSystemSolver(const AmgOptions& options);
+  ~AmgSystemSolver() override;
+
+  bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
+             Eigen::VectorXd* x, SolveSummary* summary) override;
+  std::string Remark() const override;
+
+ private:
+  class Reduced;
+
+  bool SolveByMultigrid(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                        double tolerance, Eigen::VectorXd* x, SolveSummary* summary);
+
+  Reduced* reduced_;  ///< belongs to elimination_
+  std::unique_ptr<SparseCholesky> elimination_;
+  ReusedFactor factor_;
+  int num_systems_ = 0, num_factored_ = 0;
+  std::string reason_;  ///< of the last factored system
+};
+
+}  // namespace cirque

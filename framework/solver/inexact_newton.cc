@@ -1,0 +1,56 @@
+#include "cirque/solver/inexact_newton.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "cirque/solver/newton_loop.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kMaxAttempts = 12;
+constexpr double kLeastForcing = 1e-10;
+
+/// Solves each Newton system, with a shift where the matrix turns out not to be positive definite.
+class InexactDirection {
+ public:
+  InexactDirection(double forcing, SystemSolver* solver, SolveRun* run)
+      : forcing_(forcing), solver_(solver), run_(run) {}
+
+  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
+                  Eigen::VectorXd* direction) {
+    if (!run_->Hessian(x, &hessian_)) return false;
+    const double tolerance = Forcing(gradient.norm());
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+      const bool solved =
+          solver_->Solve(shift->Apply(hessian_), -gradient, tolerance, direction, &run_->summary());
+      if (solved && direction->dot(gradient) < 0) return true;
+      if (!shift->Raise()) return false;
+    }
+    return false;
+  }
+
+ private:
+  /// How tightly to solve at this gradient norm.
+  double Forcing(double norm) {
+    const double ratio = norm / last_norm_;
+    last_norm_ = norm;
+    return std::clamp(ratio * ratio, kLeastForcing, forcing_);
+  }
+
+  const double forcing_;
+  SystemSolver* solver_;
+  SolveRun* run_;
+  SparseMatrix hessian_;
+  double last_norm_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x) {
+  InexactDirection direction(forcing, solver, run);
+  IterateNewton(std::ref(direction), run, x);
+}
+
+}  // namespace cirque

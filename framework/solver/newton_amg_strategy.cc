@@ -1,0 +1,52 @@
+#include "cirque/solver/newton_amg_strategy.h"
+
+#include "cirque/solver/inexact_newton.h"
+
+namespace cirque {
+
+const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable() {
+  using Options = NewtonAmgOptions;
+  static const OptionTable<Options> kTable("newton_amg", [] {
+    auto fields = LimitFields<Options>();
+    fields.push_back({"multigrid",
+                      &Options::multigrid,
+                      0,
+                      0,
+                      {"boomeramg", "gamg"},
+                      "the method; default: boomeramg where PETSc has hypre"});
+    fields.push_back({"max_cg_iterations",
+                      &Options::max_cg_iterations,
+                      1,
+                      1e6,
+                      {},
+                      "conjugate gradient iterations a system before factoring it"});
+    fields.push_back({"forcing",
+                      &Options::forcing,
+                      1e-10,
+                      0.9,
+                      {},
+                      "relative residual of the first steps' linear systems"});
+    return fields;
+  }());
+  return kTable;
+}
+
+SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveControl& control,
+                                         Eigen::VectorXd* x) const {
+  SolveRun run("newton_amg", options_, control, energy);
+  AmgSystemSolver own(options_);
+  SystemSolver* solver = control.system_solver ? control.system_solver : &own;
+  IterateInexactNewton(options_.forcing, solver, &run, x);
+  SolveSummary summary = run.Finish(*x);
+  if (const std::string remark = solver->Remark(); !remark.empty()) {
+    summary.message += "; " + remark;
+    summary.strategy += ", " + remark;
+  }
+  return summary;
+}
+
+std::unique_ptr<SystemSolver> NewtonAmgStrategy::MakeSystemSolver(int) const {
+  return std::make_unique<AmgSystemSolver>(options_);
+}
+
+}  // namespace cirque

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "cirque/core/solve_summary.h"
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// Solves systems whose matrices, symmetric and positive definite, change little from one to the
+/// next: what it has made for one (a factor, a multigrid hierarchy) serves the next.
+class SystemSolver {
+ public:
+  virtual ~SystemSolver() = default;
+
+  /// Does ahead of the first system what its pattern alone allows; its values may be any.
+  virtual void Prepare(const SparseMatrix& lower) { static_cast<void>(lower); }
+
+  /// x with |A x - b| <= tolerance |b|, or as near as A's own factor comes; A by its lower
+  /// triangle. Counts and times what it does in `summary`. False when A is not positive definite in
+  /// floating point.
+  virtual bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
+                     Eigen::VectorXd* x, SolveSummary* summary) = 0;
+
+  /// What a reader of the summary should know of how the systems were solved; mostly empty.
+  virtual std::string Remark() const { return ""; }
+};
+
+}  // namespace cirque

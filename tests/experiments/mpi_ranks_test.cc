@@ -1,0 +1,118 @@
+// circle_patterns started by mpirun: one map, whatever the number of ranks, and no rank waits for
+// ever.
+#include <complex>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cirque/mesh/generators.h"
+#include "cirque/mesh/io.h"
+#include "cirque/solver/multigrid.h"
+
+#include "tests/common/paths.h"
+#include "tests/common/run_program.h"
+
+namespace cirque {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kMpirun[] =
+    "OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 120 "
+    "mpirun --bind-to none --mca btl self,vader --mca oob_tcp_if_include lo ";
+
+using Points = Eigen::VectorXcd;
+
+Points ReadUv(const std::string& path) {
+  const auto mesh = ReadMesh(path);
+  EXPECT_TRUE(mesh.ok()) << mesh.status().message();
+  Points points(static_cast<Eigen::Index>(mesh->texture.size()));
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    points[i] = {mesh->texture[i].x(), mesh->texture[i].y()};
+  }
+  return points;
+}
+
+/// The largest distance of two maps after the best similarity, relative to the extent.
+double Distance(Points a, Points b) {
+  EXPECT_EQ(a.size(), b.size());
+  a.array() -= a.mean();
+  b.array() -= b.mean();
+  const std::complex<double> similarity = a.dot(b) / a.squaredNorm();
+  return (similarity * a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+}
+
+class MpiRanks : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!BuiltWithMultigrid()) GTEST_SKIP() << "built without PETSc";
+    if (RunShell("command -v mpirun").exit_status != 0) GTEST_SKIP() << "there is no mpirun";
+    ASSERT_TRUE(WriteMesh(folder_.Path("in.obj"), *GenerateMesh("bumpy_terrain", {800, 1})).ok());
+  }
+
+  std::string Program(const std::string& output, const std::string& flags) const {
+    return ProgramFolder() + "/circle_patterns -io " + folder_.Path("in.obj") + " -oo " +
+           folder_.Path(output) + " " + flags;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+std::string StrategyOfRadii(const std::string& certificate) {
+  std::ifstream file(certificate);
+  return nlohmann::json::parse(file)["strategies"]["radii"];
+}
+
+TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
+  const std::string amg = "--strategy=newton_amg --angle_strategy=newton_amg";
+  const ProgramResult factored =
+      RunShell(Program("factored.obj", "--strategy=newton_cg --angle_strategy=newton"));
+  const ProgramResult one = RunShell(Program("one.obj", amg));
+  const ProgramResult alone = RunShell(kMpirun + ("-n 1 " + Program("alone.obj", amg)));
+  const ProgramResult two = RunShell(kMpirun + ("-n 2 " + Program("two.obj", amg)));
+  for (const ProgramResult& run : {factored, one, alone, two}) {
+    ASSERT_EQ(run.exit_status, 0) << run.output;
+    // Only the first rank speaks, and no library does.
+    EXPECT_EQ(run.output.find("triangles)"), run.output.rfind("triangles)")) << run.output;
+    for (const char* word : {"PETSC", "PETSc", "MPI", "mpi", "hypre", "HYPRE"}) {
+      EXPECT_EQ(run.output.find(word), std::string::npos) << run.output;
+    }
+  }
+  const Points wanted = ReadUv(folder_.Path("factored.obj"));
+  EXPECT_GT(wanted.lpNorm<Eigen::Infinity>(), 0);
+  for (const std::string name : {"one", "alone", "two"}) {
+    EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9);
+    // Nothing was factored in secret.
+    EXPECT_EQ(StrategyOfRadii(folder_.Path(name + ".certificate.json")), "newton_amg");
+  }
+}
+
+TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {
+  const ProgramResult run =
+      RunShell(kMpirun + ("-n 2 " + Program("no/such/folder/out.obj", "--strategy=newton_amg")));
+  EXPECT_EQ(run.exit_status, 2) << run.output;
+}
+
+TEST_F(MpiRanks, TheDeathOfOneEndsAll) {
+  const ProgramResult run =
+      RunShell(kMpirun + ("-n 1 " + Program("out.obj", "") + " : -n 1 false"));
+  EXPECT_NE(run.exit_status, 0);
+  EXPECT_NE(run.exit_status, 124) << "timeout had to end it: " << run.output;
+}
+
+TEST_F(MpiRanks, PetscIsLoadedOnlyWhereItIsUsed) {
+  const auto libraries = [&](const std::string& strategy) {
+    return RunShell("LD_DEBUG=libs " + Program("out.obj", "--strategy=" + strategy)).output;
+  };
+  EXPECT_THAT(libraries("newton_amg"), HasSubstr("libpetsc"));
+  const std::string without = libraries("newton_cg");
+  EXPECT_THAT(without, HasSubstr("libcholmod"));
+  for (const char* library : {"libpetsc", "libmpi", "libHYPRE"}) {
+    EXPECT_EQ(without.find(library), std::string::npos) << library;
+  }
+}
+
+}  // namespace
+}  // namespace cirque
