@@ -7,6 +7,7 @@
 
 #include <glog/logging.h>
 
+#include "cirque/mesh/chord_guard.h"
 #include "cirque/mesh/flip_complex.h"
 
 namespace cirque {
@@ -19,12 +20,13 @@ bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 
 class DelaunayFlipper {
  public:
-  DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths,
-                  const IntrinsicDelaunayOptions& options)
+  DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
+                  const std::vector<bool>& locked)
       : complex_(t, lengths),
-        locked_(options.locked),
+        locked_(locked),
         corners_(CornersPerVertex(t)),
-        least_corners_(LeastCorners(options.targets ? *options.targets : FreeBoundaryTargets(t))),
+        least_corners_(LeastCorners(targets)),
+        chords_(t, targets),
         flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
 
   void Run() {
@@ -92,6 +94,7 @@ class DelaunayFlipper {
       corners_[complex_.vertex(h)] += to_apexes;
       corners_[complex_.vertex(g)] += to_apexes;
     };
+    if (!chords_.Allows(complex_.vertex(h), complex_.vertex(g))) return false;
     add(-1, 1);
     const bool enough =
         corners_[tail] >= least_corners_[tail] && corners_[tip] >= least_corners_[tip];
@@ -102,6 +105,7 @@ class DelaunayFlipper {
   FlipComplex complex_;  // labels: the input's edges, kNone for later ones
   const std::vector<bool>& locked_;
   std::vector<Index> corners_, least_corners_;
+  const ChordGuard chords_;
   std::vector<Index> pending_, guarded_;
   std::vector<Index> flips_;
   std::int64_t flips_left_;
@@ -122,7 +126,8 @@ IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeL
                                              const IntrinsicDelaunayOptions& options) {
   CHECK_EQ(lengths.value.size(), t.num_edges());
   CHECK(options.locked.empty() || options.locked.size() == t.edge_halfedge.size());
-  DelaunayFlipper flipper(t, lengths, options);
+  const ConeTargets targets = options.targets ? *options.targets : FreeBoundaryTargets(t);
+  DelaunayFlipper flipper(t, lengths, targets, options.locked);
   flipper.Run();
   IntrinsicTriangulation result;
   const FlipComplex& complex = flipper.complex();

@@ -22,7 +22,8 @@ struct IntrinsicTriangulation {
 };
 
 struct IntrinsicDelaunayOptions {
-  /// No flip leaves a vertex with fewer corners than its target needs: Theta_v < corners * pi.
+  /// No flip leaves a vertex with fewer corners than its target needs (Theta_v < corners * pi) or
+  /// makes a chord beyond which the targets leave no room (ChordGuard).
   /// Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets). The solve on the
   /// result then takes them through TransferTargets.
   const ConeTargets* targets = nullptr;
@@ -32,9 +33,10 @@ struct IntrinsicDelaunayOptions {
 
 /// Flips edges until every edge is Delaunay (the opposite angles add up to at most pi) or must not
 /// be flipped: locked, of a vertex at its least number of corners (interior and flat: 3, boundary
-/// and free: 1), or with the same face on both sides. Works on the lengths alone (A. Bobenko,
-/// B. Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces", 2007; M. Fisher
-/// et al., "An algorithm for the construction of intrinsic Delaunay triangulations", 2007).
+/// and free: 1), into a chord without room, or with the same face on both sides. Works on the
+/// lengths alone (A. Bobenko, B. Springborn, "A discrete Laplace-Beltrami operator for simplicial
+/// surfaces", 2007; M. Fisher et al., "An algorithm for the construction of intrinsic Delaunay
+/// triangulations", 2007).
 ///
 /// Ends always: an edge that rounding cannot tell from Delaunay stays (kDelaunayTolerance), and so
 /// does one whose other diagonal is not better; flips are bounded by 100 per edge.
