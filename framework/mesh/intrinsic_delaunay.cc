@@ -16,6 +16,18 @@ namespace {
 constexpr std::int64_t kMaxFlipsPerEdge = 100;
 constexpr double kSpareCorner = 0.01;  // of a corner's pi
 
+/// The least number of corners with which each vertex can reach its target, lower_v < corners * pi
+/// with a little to spare; on a boundary that is to be straight one more.
+std::vector<Index> LeastCorners(const Triangulation& t, const ConeTargets& targets) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  std::vector<Index> least;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const auto full = static_cast<Index>(std::floor(targets.lower[v] / kPi + kSpareCorner));
+    least.push_back(full + (boundary[v] && full > 0 ? 2 : 1));
+  }
+  return least;
+}
+
 bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 
 class DelaunayFlipper {
@@ -25,7 +37,7 @@ class DelaunayFlipper {
       : complex_(t, lengths),
         locked_(locked),
         corners_(CornersPerVertex(t)),
-        least_corners_(LeastCorners(targets)),
+        least_corners_(LeastCorners(t, targets)),
         chords_(t, targets),
         flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
 
@@ -112,15 +124,6 @@ class DelaunayFlipper {
 };
 
 }  // namespace
-
-std::vector<Index> LeastCorners(const ConeTargets& targets) {
-  std::vector<Index> least;
-  least.reserve(targets.lower.size());
-  for (const double lower : targets.lower) {
-    least.push_back(static_cast<Index>(std::floor(lower / kPi + kSpareCorner)) + 1);
-  }
-  return least;
-}
 
 IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeLengths& lengths,
                                              const IntrinsicDelaunayOptions& options) {

@@ -23,9 +23,11 @@ struct IntrinsicTriangulation {
 
 struct IntrinsicDelaunayOptions {
   /// No flip leaves a vertex with fewer corners than its target needs (Theta_v < corners * pi) or
-  /// makes a chord beyond which the targets leave no room (ChordGuard).
-  /// Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets). The solve on the
-  /// result then takes them through TransferTargets.
+  /// makes a chord beyond which the targets leave no room (ChordGuard). A boundary vertex that is
+  /// to be straight keeps one corner more: where several in a row have two, their triangles meet at
+  /// one apex, every angle on the boundary fixes the next, and the angle fit takes hundreds of
+  /// steps. Null: interior vertices flat, boundary vertices free (FreeBoundaryTargets). The solve
+  /// on the result then takes them through TransferTargets.
   const ConeTargets* targets = nullptr;
   /// Per edge of the input whether it must stay; empty: none must.
   std::vector<bool> locked;
@@ -56,9 +58,5 @@ inline constexpr double kDelaunayTolerance = 1e-10;
 
 /// The interior edges that are not Delaunay, in increasing order.
 std::vector<Index> NonDelaunayEdges(const Triangulation& triangulation, const EdgeLengths& lengths);
-
-/// The least number of corners with which each vertex can reach its target: lower_v < corners * pi,
-/// with 1 % of pi to spare.
-std::vector<Index> LeastCorners(const ConeTargets& targets);
 
 }  // namespace cirque
