@@ -10,6 +10,7 @@
 #include "cirque/angles/targets.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/mesh/io.h"
+#include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/circle_patterns/run.h"
@@ -90,6 +91,44 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
   EXPECT_EQ(mask->position, soup.position);
   const std::string ply = ReadAll("out.infeasible.ply");
   EXPECT_THAT(ply, HasSubstr("property uchar red"));
+}
+
+/// Every domain of a disk leaves the proof that the plane does, also with an ear, which the disk's
+/// solve leaves out.
+TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
+  PolygonSoup soup = SoupOf(Kleetope(GeneratedSurface("bumpy_terrain", 60)));
+  const auto surface = Preflight(soup, nullptr);
+  ASSERT_TRUE(surface.ok());
+  const Index h = BoundaryLoops(surface->triangulation).front().front();
+  const Index tail = surface->triangulation.Tail(h), tip = surface->triangulation.Tip(h);
+  soup.position.push_back(
+      0.5 * (soup.position[tail] + soup.position[tip]) +
+      (soup.position[tip] - soup.position[tail]).cross(Eigen::Vector3d::UnitZ()));
+  const auto ear = {tip, tail, static_cast<Index>(soup.position.size()) - 1};
+  soup.corner.insert(soup.corner.end(), ear);
+  soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  ASSERT_TRUE(WriteMesh(Path("in.obj"), soup).ok());
+  for (const std::string domain : {"disk", "rectangle", "polygon"}) {
+    SCOPED_TRACE(domain);
+    CirclePatternsJob job;
+    job.input = Path("in.obj");
+    job.output = Path(domain + ".obj");
+    job.options.triangulation = "input";
+    job.domain.name = domain;
+    std::ostringstream report;
+    const Status status = RunCirclePatterns(job, {}, report);
+    EXPECT_EQ(status.code(), StatusCode::kInfeasible) << status.message();
+    EXPECT_FALSE(std::filesystem::exists(Path(domain + ".obj")));
+    const auto checked = Check(soup, domain + ".certificate.json");
+    EXPECT_TRUE(checked.accepted()) << checked.Verdict();
+    EXPECT_TRUE(checked.straight_boundary);
+    EXPECT_EQ(checked.num_beyond_chords, 1);
+    EXPECT_GT(checked.margin, 0);
+    EXPECT_LT(checked.link_upper_over_pi, 1);
+    EXPECT_GT(checked.link_upper_over_pi, 0.99);
+    EXPECT_THAT(ReadAll(domain + ".infeasible.csv"), HasSubstr("\nvertex,"));
+    EXPECT_TRUE(ReadMesh(Path(domain + ".infeasible.ply")).ok());
+  }
 }
 
 TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
