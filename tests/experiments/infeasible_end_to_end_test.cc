@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include "cirque/angles/targets.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/mesh/io.h"
-#include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/circle_patterns/run.h"
@@ -97,10 +97,8 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
 /// solve leaves out.
 TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
   PolygonSoup soup = SoupOf(Kleetope(GeneratedSurface("bumpy_terrain", 60)));
-  const auto surface = Preflight(soup, nullptr);
-  ASSERT_TRUE(surface.ok());
-  const Index h = BoundaryLoops(surface->triangulation).front().front();
-  const Index tail = surface->triangulation.Tail(h), tip = surface->triangulation.Tip(h);
+  const Triangulation t = SurfaceOf(soup).triangulation;
+  const Index h = BoundaryLoops(t).front().front(), tail = t.Tail(h), tip = t.Tip(h);
   soup.position.push_back(
       0.5 * (soup.position[tail] + soup.position[tip]) +
       (soup.position[tip] - soup.position[tail]).cross(Eigen::Vector3d::UnitZ()));
