@@ -8,6 +8,7 @@
 #include <glog/logging.h>
 
 #include "cirque/mesh/chord_guard.h"
+#include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/flip_complex.h"
 
 namespace cirque {
@@ -15,15 +16,34 @@ namespace {
 
 constexpr std::int64_t kMaxFlipsPerEdge = 100;
 constexpr double kSpareCorner = 0.01;  // of a corner's pi
+constexpr double kJagged = 0.25;       // [rad]: mean distance of angle sums from straight
+
+/// Whether the boundary vertices that are to be straight or reflex are far from it on average.
+bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  double bend = 0;
+  int count = 0;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (!boundary[v] || targets.lower[v] < kPi) continue;
+    bend += std::abs(sum[v] - targets.lower[v]);
+    ++count;
+  }
+  return bend > kJagged * count;
+}
 
 /// The least number of corners with which each vertex can reach its target, lower_v < corners * pi
-/// with a little to spare; on a boundary that is to be straight one more.
-std::vector<Index> LeastCorners(const Triangulation& t, const ConeTargets& targets) {
+/// with a little to spare; where a jagged boundary is to be straight one more.
+std::vector<Index> LeastCorners(const Triangulation& t, const EdgeLengths& lengths,
+                                const ConeTargets& targets) {
   const std::vector<bool> boundary = BoundaryVertices(t);
+  const bool jagged = IsJagged(t, lengths, targets);
   std::vector<Index> least;
   for (Index v = 0; v < t.num_vertices; ++v) {
     const auto full = static_cast<Index>(std::floor(targets.lower[v] / kPi + kSpareCorner));
-    least.push_back(full + (boundary[v] && full > 0 ? 2 : 1));
+    least.push_back(full + (jagged && boundary[v] && full > 0 ? 2 : 1));
   }
   return least;
 }
@@ -37,7 +57,7 @@ class DelaunayFlipper {
       : complex_(t, lengths),
         locked_(locked),
         corners_(CornersPerVertex(t)),
-        least_corners_(LeastCorners(t, targets)),
+        least_corners_(LeastCorners(t, lengths, targets)),
         chords_(t, targets),
         flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
 

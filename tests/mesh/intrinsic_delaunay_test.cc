@@ -189,13 +189,16 @@ TEST(IntrinsicDelaunay, MakesNoSecondEdgeAlongTheBoundary) {
   EXPECT_TRUE(ChordGuard(closed, FreeBoundaryTargets(closed)).Allows(2, 2));
 }
 
-TEST(IntrinsicDelaunay, LeavesThreeCornersToAStraightBoundaryVertex) {
-  const IntrinsicMesh mesh = InPlane({{0, 0}, {-1, 0}, {1, 0}, {-0.5, 2}, {0.2, 0.5}},
-                                     {1, 0, 3, 0, 4, 3, 0, 2, 4, 2, 3, 4});
-  ConeTargets targets = FreeBoundaryTargets(mesh.triangulation);
-  EXPECT_EQ(CornersPerVertex(Delaunay(mesh).triangulation)[0], 2);
-  targets.lower[0] = targets.upper[0] = kPi;
-  EXPECT_EQ(CornersPerVertex(Delaunay(mesh, {&targets, {}}).triangulation)[0], 3);
+TEST(IntrinsicDelaunay, LeavesThreeCornersWhereAJaggedBoundaryIsToBeStraight) {
+  for (const double drop : {0.0, 0.6}) {  // of vertex 2: the boundary bends by atan(drop)
+    const IntrinsicMesh mesh = InPlane({{0, 0}, {-1, 0}, {1, -drop}, {-0.5, 2}, {0.2, 0.5}},
+                                       {1, 0, 3, 0, 4, 3, 0, 2, 4, 2, 3, 4});
+    ConeTargets targets = FreeBoundaryTargets(mesh.triangulation);
+    EXPECT_EQ(CornersPerVertex(Delaunay(mesh).triangulation)[0], 2);
+    targets.lower[0] = targets.upper[0] = kPi;
+    const Triangulation straight = Delaunay(mesh, {&targets, {}}).triangulation;
+    EXPECT_EQ(CornersPerVertex(straight)[0], drop > 0 ? 3 : 2);
+  }
 }
 
 TEST(IntrinsicDelaunay, MapsTheEdgesThatStayed) {
