@@ -10,6 +10,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/pipeline/sphere.h"
 #include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/multigrid.h"
 #include "cirque/solver/solver_strategy.h"
@@ -43,7 +44,8 @@ DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certific
 DEFINE_string(measures, "",
               "files of distortion measures, a comma between: .csv (per face), .json (per map), "
               ".ply or .ply:METRIC (colours)");
-DEFINE_string(angle_fit, cirque::ParameterizeOptions().angle_fit, "objective of the angle fit");
+DEFINE_string(angle_fit, "",
+              "objective of the angle fit; default: quadratic, for the sphere entropy");
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
               "solver of the angle fit");
 DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the log radii");
@@ -78,6 +80,8 @@ DEFINE_string(
     "sphere: none, uniform, surface_area, image_area or least_area_distortion; disk: none,\n"
     "boundary or area: instead of a vertex, a centre of mass goes to 0");
 DEFINE_bool(principal_axes, false, "sphere: turned to the principal axes of the surface's area");
+DEFINE_bool(inversion, true,
+            "sphere: fit angles to the surface inverted about the pole, not to its own");
 DEFINE_string(latlong, "", "sphere: output .obj with latitude and longitude as texture");
 DEFINE_string(centre, "", "disk: inner vertex that goes to 0");
 DEFINE_string(angle_zero, "", "disk: boundary vertex that goes to (1, 0)");
@@ -133,7 +137,8 @@ Status CheckArguments(const std::vector<std::string>& others) {
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control) {
   if (FLAGS_domain == "sphere") {
-    return RunSphere(job, {FLAGS_principal_axes, FLAGS_latlong}, control, std::cout);
+    return RunSphere(job, {FLAGS_principal_axes, FLAGS_inversion, FLAGS_latlong}, control,
+                     std::cout);
   }
   return job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
                                : RunOnMetric(job, control, std::cout);
@@ -156,8 +161,10 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
   job.flip_back = FLAGS_flip_back;
   job.fill_holes = FLAGS_fill_holes;
   job.certificate = FLAGS_certificate;
+  const ParameterizeOptions defaults =
+      FLAGS_domain == "sphere" ? SphereParameterizeOptions() : ParameterizeOptions();
   job.options = {.triangulation = FLAGS_triangulation,
-                 .angle_fit = FLAGS_angle_fit,
+                 .angle_fit = FLAGS_angle_fit.empty() ? defaults.angle_fit : FLAGS_angle_fit,
                  .angle_strategy = FLAGS_angle_strategy,
                  .strategy = FLAGS_strategy,
                  .layout = FLAGS_layout,

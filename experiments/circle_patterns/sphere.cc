@@ -88,6 +88,7 @@ Status RunSphere(const CirclePatternsJob& job, const SphereJob& sphere, const So
   if (!surface.ok()) return surface.status().In(job.input);
   SphereOptions options;
   options.principal_axes = sphere.principal_axes;
+  options.inversion = sphere.inversion;
   if (!job.domain.normalization.empty()) options.normalization = job.domain.normalization;
   const FileNumbering numbers(*surface, static_cast<Index>(soup->position.size()));
   if (Status s = numbers.Read("pole", job.domain.pole, &options.pole); !s.ok()) return s;

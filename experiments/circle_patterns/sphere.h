@@ -12,7 +12,8 @@ namespace cirque {
 /// What the program was asked to do with --domain=sphere, beside CirclePatternsJob and its domain.
 struct SphereJob {
   bool principal_axes = false;
-  std::string latlong;  ///< .obj to write with latitude and longitude as texture; empty: none
+  bool inversion = true;  ///< SphereOptions
+  std::string latlong;    ///< .obj to write with latitude and longitude as texture; empty: none
 };
 
 /// Maps the closed mesh job.input to the sphere. The output is an OBJ of its triangles with their

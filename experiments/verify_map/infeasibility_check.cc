@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <fmt/format.h>
 
+#include "experiments/verify_map/removed_vertex.h"
 #include "experiments/verify_map/topology.h"
 
 namespace cirque::verify_map {
@@ -164,60 +165,6 @@ void CheckInequality(const InfeasibilityProof& proof, const Surface& surface, Pr
                   report->margin));
 }
 
-/// The link of a removed vertex may be held to convexity, so from above only; how tightly is part
-/// of the verdict.
-void CheckLink(const InfeasibilityProof& proof, const std::vector<bool>& on_link,
-               ProofReport* report) {
-  for (std::size_t i = 0; i < proof.constrained_vertex.size(); ++i) {
-    if (!on_link[proof.constrained_vertex[i]]) continue;
-    report->link_upper_over_pi = std::min(report->link_upper_over_pi, proof.upper_over_pi[i]);
-    if (proof.lower_over_pi[i] <= 0) continue;
-    return report->errors.push_back(
-        fmt::format("vertex {}, next to the removed one, is held to at least {} pi",
-                    proof.constrained_vertex[i], proof.lower_over_pi[i]));
-  }
-}
-
-/// Takes the triangles at the removed vertex out of the surface and of the proof. False, with an
-/// error, where proof or surface do not allow it.
-bool RemoveVertex(Surface* surface, InfeasibilityProof* proof, ProofReport* report) {
-  const FanMesh& mesh = surface->mesh;
-  const Index removed = proof->removed_vertex;
-  if (removed < 0 || removed >= mesh.num_vertices) {
-    report->errors.push_back(fmt::format("removed_vertex = {} does not exist; there are {}",
-                                         removed, mesh.num_vertices));
-    return false;
-  }
-  CheckForm(*proof, mesh, report);
-  if (!report->accepted()) return false;
-  Expect(std::find(surface->twin.begin(), surface->twin.end(), kNone) == surface->twin.end(),
-         "a vertex is removed from a mesh that is not closed", report);
-  FanMesh rest;
-  rest.num_vertices = mesh.num_vertices;
-  std::vector<double> multiplier;
-  std::vector<bool> on_link(mesh.num_vertices, false);
-  for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); h += 3) {
-    const auto corners = {mesh.vertex[h], mesh.vertex[h + 1], mesh.vertex[h + 2]};
-    if (std::find(corners.begin(), corners.end(), removed) == corners.end()) {
-      rest.vertex.insert(rest.vertex.end(), corners);
-      multiplier.push_back(proof->face_multiplier[h / 3]);
-      continue;
-    }
-    for (const Index v : corners) on_link[v] = true;
-    Expect(proof->face_multiplier[h / 3] == 0,
-           fmt::format("triangle {} at the removed vertex has a multiplier that is not 0", h / 3),
-           report);
-  }
-  CheckLink(*proof, on_link, report);
-  if (!report->accepted()) return false;
-  StatusOr<std::vector<Index>> twin = PairHalfedges(rest);
-  surface->mesh = std::move(rest);
-  surface->twin = *std::move(twin);
-  proof->face_multiplier = std::move(multiplier);
-  proof->carrying_faces.clear();  // numbered as in the whole mesh; already checked
-  return true;
-}
-
 }  // namespace
 
 StatusOr<ProofReport> CheckProof(const InfeasibilityProof& given, const PolygonSoup& in) {
@@ -230,10 +177,10 @@ StatusOr<ProofReport> CheckProof(const InfeasibilityProof& given, const PolygonS
   report.epsilon_over_pi = given.epsilon_over_pi;
   report.removed_vertex = given.removed_vertex;
   InfeasibilityProof proof = given;
-  if (proof.removed_vertex != kNone) {
-    if (!RemoveVertex(&*surface, &proof, &report)) return report;
-  }
   CheckForm(proof, surface->mesh, &report);
+  if (report.accepted() && proof.removed_vertex != kNone) {
+    RemoveVertex(&*surface, &proof, &report);
+  }
   if (report.accepted()) NameConstraints(proof, *surface, &report);
   if (report.accepted()) CheckInequality(proof, *surface, &report);
   return report;

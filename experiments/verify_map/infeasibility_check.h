@@ -16,6 +16,8 @@ struct ProofReport {
   double epsilon_over_pi = 0;
   Index removed_vertex = kNone;   ///< the vertex without whose triangles the proof is meant, if any
   double link_upper_over_pi = 1;  ///< the least that its neighbours' angle sums are limited to
+  bool straight_boundary = false;  ///< with a removed vertex: a map to the half-plane is denied
+  Index num_beyond_chords = 0;     ///< triangles that such a map leaves out
   bool evaluated = false;  ///< whether the proof was well-formed, so that what follows was computed
   double left = 0;         ///< sum_f y_f + sum_v y_v (y_v > 0 ? lower : upper), rounded for display
   double right = 0;        ///< sum_e max over Q_e of (A'y)_e . a, likewise
@@ -45,6 +47,12 @@ struct ProofReport {
 /// vertex at infinity. (Without margins it would not matter which vertex is removed: such patterns
 /// are ideal hyperbolic polyhedra. I. Rivin, A characterization of ideal polyhedra in hyperbolic
 /// 3-space, 1996.)
+///
+/// Where `in` has a boundary, the removed vertex lies on it, and the claim is about the largest
+/// part that no chord (an inner edge between two boundary vertices) cuts off: its boundary, but
+/// along the removed vertex's link, is held to pi, the link's ends to half of what limits the link.
+/// Glued to its mirror image that is the claim above, so there is no pattern with the boundary on
+/// one circle.
 ///
 /// A status is returned when `in` is not an orientable manifold.
 StatusOr<ProofReport> CheckProof(const InfeasibilityProof& proof, const PolygonSoup& in);

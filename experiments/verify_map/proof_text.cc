@@ -37,9 +37,11 @@ std::string ProofReport::Verdict() const {
   if (!accepted()) return "REJECTED: " + Join(errors, "; ");
   if (removed_vertex != kNone) {
     return fmt::format(
-        "accepted (no coherent angles without vertex {}, margin eps = {:.6g} pi, its neighbours at "
+        "accepted (no coherent angles {}without vertex {}, margin eps = {:.6g} pi, its neighbours "
+        "at "
         "most {:.9g} pi)",
-        removed_vertex, epsilon_over_pi, link_upper_over_pi);
+        straight_boundary ? "with a straight boundary " : "", removed_vertex, epsilon_over_pi,
+        link_upper_over_pi);
   }
   if (epsilon_over_pi == 0) return "accepted (no coherent angles)";
   return fmt::format("accepted (no coherent angles with margin eps = {:.6g} pi)", epsilon_over_pi);
@@ -55,6 +57,10 @@ std::string ToText(const ProofReport& report) {
     text += Line("removed vertex", fmt::format("{}, its neighbours limited to {:.17g} pi",
                                                report.removed_vertex, report.link_upper_over_pi));
   }
+  if (report.num_beyond_chords > 0) {
+    text += Line("left out", fmt::format("{} beyond edges between boundary vertices",
+                                         Count(report.num_beyond_chords, "triangle")));
+  }
   if (report.evaluated) text += InequalityLines(report);
   return text + "verdict: " + report.Verdict() + "\n";
 }
@@ -69,6 +75,8 @@ std::string ToJson(const ProofReport& report) {
   if (report.removed_vertex != kNone) {
     json["removed_vertex"] = report.removed_vertex;
     json["link_upper_over_pi"] = report.link_upper_over_pi;
+    json["straight_boundary"] = report.straight_boundary;
+    json["triangles_beyond_chords"] = report.num_beyond_chords;
   }
   const auto known = [&](double x) { return report.evaluated ? nlohmann::json(x) : nullptr; };
   json["left"] = known(report.left);

@@ -26,8 +26,9 @@ struct InfeasibilityProof {
   std::vector<Index> carrying_faces;      ///< where the multipliers are largest: look here first
   std::vector<Index> carrying_vertices;
   double margin = 0;  ///< left side minus right side, as computed
-  /// kNone, or the vertex of a closed surface without whose faces the proof is meant, the faces
-  /// around it having the multiplier 0 (maps to the sphere).
+  /// kNone, or the vertex without whose faces the proof is meant, the faces around it having the
+  /// multiplier 0: of a closed surface (maps to the sphere), or on the boundary of a disk, of which
+  /// the faces beyond chords are left out too (maps to the disk and half-plane).
   Index removed_vertex = kNone;
 
   bool empty() const { return face_multiplier.empty(); }

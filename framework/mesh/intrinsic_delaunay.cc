@@ -7,6 +7,8 @@
 
 #include <glog/logging.h>
 
+#include "cirque/mesh/chord_guard.h"
+#include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/flip_complex.h"
 
 namespace cirque {
@@ -14,17 +16,49 @@ namespace {
 
 constexpr std::int64_t kMaxFlipsPerEdge = 100;
 constexpr double kSpareCorner = 0.01;  // of a corner's pi
+constexpr double kJagged = 0.25;       // [rad]: mean distance of angle sums from straight
+
+/// Whether the boundary vertices that are to be straight or reflex are far from it on average.
+bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  double bend = 0;
+  int count = 0;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (!boundary[v] || targets.lower[v] < kPi) continue;
+    bend += std::abs(sum[v] - targets.lower[v]);
+    ++count;
+  }
+  return bend > kJagged * count;
+}
+
+/// The least number of corners with which each vertex can reach its target, lower_v < corners * pi
+/// with a little to spare; where a jagged boundary is to be straight one more.
+std::vector<Index> LeastCorners(const Triangulation& t, const EdgeLengths& lengths,
+                                const ConeTargets& targets) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  const bool jagged = IsJagged(t, lengths, targets);
+  std::vector<Index> least;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const auto full = static_cast<Index>(std::floor(targets.lower[v] / kPi + kSpareCorner));
+    least.push_back(full + (jagged && boundary[v] && full > 0 ? 2 : 1));
+  }
+  return least;
+}
 
 bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 
 class DelaunayFlipper {
  public:
-  DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths,
-                  const IntrinsicDelaunayOptions& options)
+  DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
+                  const std::vector<bool>& locked)
       : complex_(t, lengths),
-        locked_(options.locked),
+        locked_(locked),
         corners_(CornersPerVertex(t)),
-        least_corners_(LeastCorners(options.targets ? *options.targets : FreeBoundaryTargets(t))),
+        least_corners_(LeastCorners(t, lengths, targets)),
+        chords_(t, targets),
         flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
 
   void Run() {
@@ -92,6 +126,7 @@ class DelaunayFlipper {
       corners_[complex_.vertex(h)] += to_apexes;
       corners_[complex_.vertex(g)] += to_apexes;
     };
+    if (!chords_.Allows(complex_.vertex(h), complex_.vertex(g))) return false;
     add(-1, 1);
     const bool enough =
         corners_[tail] >= least_corners_[tail] && corners_[tip] >= least_corners_[tip];
@@ -102,6 +137,7 @@ class DelaunayFlipper {
   FlipComplex complex_;  // labels: the input's edges, kNone for later ones
   const std::vector<bool>& locked_;
   std::vector<Index> corners_, least_corners_;
+  const ChordGuard chords_;
   std::vector<Index> pending_, guarded_;
   std::vector<Index> flips_;
   std::int64_t flips_left_;
@@ -109,20 +145,12 @@ class DelaunayFlipper {
 
 }  // namespace
 
-std::vector<Index> LeastCorners(const ConeTargets& targets) {
-  std::vector<Index> least;
-  least.reserve(targets.lower.size());
-  for (const double lower : targets.lower) {
-    least.push_back(static_cast<Index>(std::floor(lower / kPi + kSpareCorner)) + 1);
-  }
-  return least;
-}
-
 IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeLengths& lengths,
                                              const IntrinsicDelaunayOptions& options) {
   CHECK_EQ(lengths.value.size(), t.num_edges());
   CHECK(options.locked.empty() || options.locked.size() == t.edge_halfedge.size());
-  DelaunayFlipper flipper(t, lengths, options);
+  const ConeTargets targets = options.targets ? *options.targets : FreeBoundaryTargets(t);
+  DelaunayFlipper flipper(t, lengths, targets, options.locked);
   flipper.Run();
   IntrinsicTriangulation result;
   const FlipComplex& complex = flipper.complex();

@@ -55,7 +55,9 @@ struct DomainOptions {
 /// also as core_quasi_conformal_mean and _max for the faces that no chord cuts off (a triangle with
 /// its corners on the circle is the flatter the smaller it is, whatever one does). Errors:
 /// kInvalidInput for a surface that is no disk and for vertices that do not fit, and those of
-/// Flatten. `result` has no flat metric of the whole surface.
+/// Flatten: kInfeasible with a proof about the input's connectivity without the faces beyond chords
+/// and those of the proof's removed vertex, a pole, the boundary straight but along the pole's
+/// link, which is bounded only. `result` has no flat metric of the whole surface.
 Status MapToDisk(const Surface& surface, const DomainOptions& domain,
                  const ParameterizeOptions& options, const SolveControl& control,
                  Parameterization* result);

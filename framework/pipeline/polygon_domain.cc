@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -92,6 +93,7 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const DomainO
     Parameterization disk;
     const Status status = MapToDisk(surface, {}, options, control, &disk);
     certificate->seconds["corners"] = disk.certificate.seconds["total"];
+    certificate->infeasibility = std::move(disk.certificate.infeasibility);
     if (!status.ok()) return status.In("choosing corners by a map to the disk");
     corners = NearlyRegularCorners(t, disk.uv, domain.sides);
   }
@@ -174,7 +176,10 @@ Status Map(const Surface& surface, const DomainOptions& domain, const Parameteri
   if (Status s = CheckIsDisk(t); !s.ok()) return Refuse(s, result);
   Certificate choice;
   const auto corners = ChooseCorners(surface, domain, options, control, &choice);
-  if (!corners.ok()) return Refuse(corners.status(), result);
+  if (!corners.ok()) {
+    result->certificate = std::move(choice);
+    return Refuse(corners.status(), result);
+  }
   const Status status =
       Parameterize(surface, PolygonTargets(t, *corners), nullptr, options, control, result);
   result->certificate.seconds.merge(choice.seconds);

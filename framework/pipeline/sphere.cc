@@ -158,8 +158,7 @@ class SphereMapping {
   Status TryOn(const IntrinsicTriangulation& intrinsic) {
     const StatusOr<PuncturedSurface> punctured = Puncture(intrinsic.triangulation, map_.pole);
     if (!punctured.ok()) return punctured.status();
-    const EdgeLengths lengths =
-        InvertedLengths(surface_, intrinsic.triangulation, intrinsic.lengths, *punctured);
+    const EdgeLengths lengths = ReferenceLengths(intrinsic, *punctured);
     FlatSurface flat;
     const Status status = FlattenWithConvexLink(*punctured, lengths, &flat);
     Put("flips", static_cast<double>(intrinsic.flips.size()));
@@ -172,6 +171,23 @@ class SphereMapping {
     Put("delaunay_margin",
         SphericalDelaunayMargin(punctured->triangulation, flat.on_input.angles.value));
     return Timed("layout", &map_.certificate, [&] { return LayOut(*punctured, flat.on_input); });
+  }
+
+  /// Lengths whose angles the flat ones are fitted to.
+  EdgeLengths ReferenceLengths(const IntrinsicTriangulation& intrinsic,
+                               const PuncturedSurface& punctured) const {
+    if (options_.inversion) {
+      return InvertedLengths(surface_, intrinsic.triangulation, intrinsic.lengths, punctured);
+    }
+    const Triangulation& t = punctured.triangulation;
+    EdgeLengths own;
+    own.value.resize(t.num_edges());
+    for (Index e = 0; e < t.num_edges(); ++e) {
+      const Index h = t.edge_halfedge[e];
+      const Index in_closed = 3 * punctured.face[Triangulation::Face(h)] + h % 3;
+      own.value[e] = intrinsic.lengths.value[intrinsic.triangulation.edge[in_closed]];
+    }
+    return own;
   }
 
   Status FlattenWithConvexLink(const PuncturedSurface& punctured, const EdgeLengths& lengths,
@@ -244,6 +260,12 @@ class SphereMapping {
 };
 
 }  // namespace
+
+ParameterizeOptions SphereParameterizeOptions() {
+  ParameterizeOptions options;
+  options.angle_fit = "entropy";
+  return options;
+}
 
 Status MapToSphere(const Surface& surface, const SphereOptions& options,
                    const ParameterizeOptions& parameterize_options, const SolveControl& control,

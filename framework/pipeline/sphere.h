@@ -23,6 +23,9 @@ struct SphereOptions {
   /// and smallest along z, the third moments along x and y positive. (Symmetric surfaces leave
   /// axes or signs undetermined: rounding then decides, the same way every time.)
   bool principal_axes = false;
+  /// Fit the flat angles to those of the surface after an inversion of space about the pole; false:
+  /// to the surface's own, which distorts more (for comparisons).
+  bool inversion = true;
 };
 
 /// A conformal map of a closed surface of genus 0 to the unit sphere.
@@ -34,6 +37,11 @@ struct SphereMap {
                                      ///< that has no area
   Certificate certificate;
 };
+
+/// The options with which maps to the sphere distort least: the defaults but for angles fitted by
+/// their entropy, whose relative changes keep needles and the dense end of a long limb from paying
+/// for the rest (results/spheres.md).
+ParameterizeOptions SphereParameterizeOptions();
 
 /// Maps the surface to the sphere by a circle pattern: intrinsic Delaunay flips on the closed
 /// surface; the pole's star removed, its link free but convex (angle sums at most pi - epsilon, so

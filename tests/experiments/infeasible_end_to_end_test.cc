@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/mesh/io.h"
 #include "cirque/pipeline/certificate.h"
+#include "cirque/pipeline/domain.h"
 
 #include "experiments/circle_patterns/run.h"
 #include "experiments/verify_map/infeasibility_check.h"
@@ -90,6 +92,69 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
   EXPECT_EQ(mask->position, soup.position);
   const std::string ply = ReadAll("out.infeasible.ply");
   EXPECT_THAT(ply, HasSubstr("property uchar red"));
+}
+
+/// A kleetope of a disk, without and with an ear, which the solve for the disk leaves out.
+PolygonSoup InfeasibleDisk(bool with_ear) {
+  PolygonSoup soup = SoupOf(Kleetope(GeneratedSurface("bumpy_terrain", 60)));
+  if (!with_ear) return soup;
+  const Triangulation t = SurfaceOf(soup).triangulation;
+  const Index h = BoundaryLoops(t).front().front(), tail = t.Tail(h), tip = t.Tip(h);
+  const Eigen::Vector3d a = soup.position[tail], b = soup.position[tip];
+  soup.position.push_back(0.5 * (a + b) + (b - a).cross(Eigen::Vector3d::UnitZ()));
+  const auto ear = {tip, tail, static_cast<Index>(soup.position.size()) - 1};
+  soup.corner.insert(soup.corner.end(), ear);
+  soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  return soup;
+}
+
+TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
+  for (const std::string domain : {"half_plane", "disk", "rectangle", "polygon"}) {
+    SCOPED_TRACE(domain);
+    const bool with_ear = domain != "half_plane";  // which it refuses
+    const PolygonSoup soup = InfeasibleDisk(with_ear);
+    ASSERT_TRUE(WriteMesh(Path("in.obj"), soup).ok());
+    CirclePatternsJob job;
+    job.input = Path("in.obj");
+    job.output = Path(domain + ".obj");
+    job.options.triangulation = "input";
+    job.domain.name = domain;
+    std::ostringstream report;
+    const Status status = RunCirclePatterns(job, {}, report);
+    EXPECT_EQ(status.code(), StatusCode::kInfeasible) << status.message();
+    EXPECT_FALSE(std::filesystem::exists(Path(domain + ".obj")));
+    const auto checked = Check(soup, domain + ".certificate.json");
+    EXPECT_TRUE(checked.accepted()) << checked.Verdict();
+    EXPECT_TRUE(checked.straight_boundary);
+    EXPECT_EQ(checked.num_beyond_chords, with_ear ? 1 : 0);
+    EXPECT_GT(checked.margin, 0);
+    EXPECT_LT(checked.link_upper_over_pi, 1);
+    EXPECT_GT(checked.link_upper_over_pi, 0.99);
+    EXPECT_THAT(ReadAll(domain + ".infeasible.csv"), HasSubstr("\nvertex,"));
+    EXPECT_TRUE(ReadMesh(Path(domain + ".infeasible.ply")).ok());
+  }
+}
+
+TEST_F(InfeasibleEndToEnd, AProofAboutADiskThatClaimsTooMuchIsRejected) {
+  const PolygonSoup soup = InfeasibleDisk(true);
+  Parameterization map;
+  ParameterizeOptions on_input;
+  on_input.triangulation = "input";
+  ASSERT_EQ(MapToDisk(SurfaceOf(soup), {}, on_input, {}, &map).code(), StatusCode::kInfeasible);
+  const InfeasibilityProof good = map.certificate.infeasibility;
+  const auto rejection = [&](const InfeasibilityProof& bad) {
+    return verify_map::CheckProof(bad, soup)->Verdict();
+  };
+  EXPECT_THAT(rejection(good), StartsWith("accepted"));
+  InfeasibilityProof bad = good;
+  bad.face_multiplier.back() = 1;  // the ear's
+  EXPECT_THAT(rejection(bad), HasSubstr("beyond an edge between two boundary vertices"));
+  bad = good;
+  for (double& upper : bad.upper_over_pi) upper = std::max(upper, 1.5);
+  EXPECT_THAT(rejection(bad), HasSubstr("instead of pi"));
+  bad = good;
+  bad.removed_vertex = static_cast<Index>(soup.position.size()) - 2;  // the apex of a triangle
+  EXPECT_THAT(rejection(bad), HasSubstr("is no boundary vertex"));
 }
 
 TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {

@@ -167,6 +167,25 @@ TEST(SphereMapTest, PrincipalAxesUndoARotationOfTheSurface) {
   }
 }
 
+TEST(SphereMapTest, TheInversionAboutThePoleLowersTheDistortion) {
+  const Surface blob = GeneratedSurface("blob", 600);
+  const auto distortion = [&](bool inversion) {
+    SphereOptions options{40};
+    options.inversion = inversion;
+    return Map(blob, options).certificate.values.at("quasi_conformal_mean");
+  };
+  EXPECT_GT(distortion(true), 1);
+  EXPECT_LT(distortion(true), distortion(false) - 0.005);
+}
+
+TEST(SphereMapTest, TheSpheresOwnOptionsDistortLess) {
+  const Surface blob = GeneratedSurface("blob", 600);
+  const auto distortion = [&](const ParameterizeOptions& options) {
+    return Map(blob, {}, options).certificate.values.at("quasi_conformal_mean");
+  };
+  EXPECT_LT(distortion(SphereParameterizeOptions()), distortion({}));
+}
+
 TEST(SphereMapTest, AProofNamesTheVertexThatWasRemoved) {
   const Surface kleetope = Kleetope(GeneratedSurface("sphere", 100));
   ParameterizeOptions on_input;
