@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "cirque/core/atomic_file.h"
 
@@ -13,6 +14,7 @@
 #include "experiments/run_experiment/progress.h"
 #include "experiments/run_experiment/provenance.h"
 #include "experiments/run_experiment/results_log.h"
+#include "experiments/run_experiment/run_key.h"
 #include "experiments/run_experiment/worker_pool.h"
 
 namespace cirque {
@@ -20,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Locates every mesh, so that nothing has been run when one of them turns out to be missing.
+/// Reads every file, so that nothing has been run when one of them turns out to be missing.
 StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::string& folder,
                                 const nlohmann::json& provenance) {
   std::map<std::string, LocatedMesh> located;
@@ -33,7 +35,9 @@ StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::strin
       located[cell.mesh.name] = *mesh;
     }
     const LocatedMesh& mesh = located[cell.mesh.name];
-    plan.push_back({RunKey(cell, mesh.hash, provenance["code"]), cell, mesh, folder, provenance});
+    StatusOr<std::string> key = RunKey(cell, mesh.hash, provenance["code"]);
+    if (!key.ok()) return key.status();
+    plan.push_back({*std::move(key), cell, mesh, folder, provenance});
   }
   return plan;
 }

@@ -1,0 +1,56 @@
+#include "experiments/run_experiment/run_key.h"
+
+#include "cirque/core/name_with_options.h"
+
+#include "experiments/run_experiment/content_hash.h"
+#include "experiments/run_experiment/record.h"
+
+namespace cirque {
+namespace {
+
+StatusOr<std::string> HashOfFile(const std::string& path) {
+  const StatusOr<std::string> content = ReadWholeFile(path);
+  return content.ok() ? StatusOr<std::string>(HashOf(*content)) : content.status();
+}
+
+/// Puts the hash of the cone file into the place of its name, where the heuristic reads one. Words
+/// that are no heuristic with options are the run's to refuse.
+Status HashConeFile(const std::string& cones, nlohmann::json* method) {
+  StatusOr<NameWithOptions> named = ParseNameWithOptions(cones);
+  if (!named.ok() || named->name != "given" || !named->options.contains("file")) return Status();
+  const StatusOr<std::string> hash = HashOfFile(named->options["file"]);
+  if (!hash.ok()) return hash.status().In("cones");
+  named->options["file"] = *hash;
+  (*method)["cones"] = {{"name", named->name}, {"options", named->options}};
+  return Status();
+}
+
+/// The method, files by their contents.
+StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
+  nlohmann::json json = MethodJson(method);
+  const ParameterizeOptions& options = method.options;
+  if (!options.edge_costs.empty()) {
+    const StatusOr<std::string> hash = HashOfFile(options.edge_costs);
+    if (!hash.ok()) return hash.status().In("edge_costs");
+    json["edge_costs"] = *hash;
+  }
+  if (Status status = HashConeFile(options.cones, &json); !status.ok()) return status;
+  return json;
+}
+
+}  // namespace
+
+StatusOr<std::string> RunKey(const Cell& cell, const std::string& mesh_hash,
+                             const std::string& code_version) {
+  const StatusOr<nlohmann::json> method = MethodByContent(cell.method);
+  if (!method.ok()) return method.status();
+  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+                                  {"mesh_hash", mesh_hash},
+                                  {"method", *method},
+                                  {"repeat", cell.repeat},
+                                  {"code", code_version}};
+  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
+  return HashOf(ToLine(determined_by));
+}
+
+}  // namespace cirque
