@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cirque/cones/cone_heuristic.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"
