@@ -5,6 +5,7 @@
 
 #include "cirque/core/status.h"
 
+#include "experiments/run_experiment/content_hash.h"
 #include "experiments/run_experiment/method_fields.h"
 
 namespace cirque {
@@ -51,6 +52,17 @@ nlohmann::json MethodJson(const MethodSpec& method) {
     json[field.name] = FieldValue(field, method.options);
   }
   return json;
+}
+
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
+                   const std::string& code_version) {
+  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+                                  {"mesh_hash", mesh_hash},
+                                  {"method", method},
+                                  {"repeat", cell.repeat},
+                                  {"code", code_version}};
+  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
+  return HashOf(ToLine(determined_by));
 }
 
 Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,

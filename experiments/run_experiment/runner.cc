@@ -4,17 +4,16 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <utility>
 
 #include "cirque/core/atomic_file.h"
 
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/job.h"
 #include "experiments/run_experiment/mesh_files.h"
+#include "experiments/run_experiment/method_content.h"
 #include "experiments/run_experiment/progress.h"
 #include "experiments/run_experiment/provenance.h"
 #include "experiments/run_experiment/results_log.h"
-#include "experiments/run_experiment/run_key.h"
 #include "experiments/run_experiment/worker_pool.h"
 
 namespace cirque {
@@ -35,9 +34,10 @@ StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::strin
       located[cell.mesh.name] = *mesh;
     }
     const LocatedMesh& mesh = located[cell.mesh.name];
-    StatusOr<std::string> key = RunKey(cell, mesh.hash, provenance["code"]);
-    if (!key.ok()) return key.status();
-    plan.push_back({*std::move(key), cell, mesh, folder, provenance});
+    const StatusOr<nlohmann::json> method = MethodByContent(cell.method);
+    if (!method.ok()) return method.status();
+    const std::string key = RunKey(cell, mesh.hash, *method, provenance["code"]);
+    plan.push_back({key, cell, mesh, folder, provenance});
   }
   return plan;
 }

@@ -1,4 +1,6 @@
-#include "experiments/run_experiment/run_key.h"
+#include "experiments/run_experiment/method_content.h"
+
+#include <string>
 
 #include "cirque/core/name_with_options.h"
 
@@ -25,7 +27,8 @@ Status HashConeFile(const std::string& cones, nlohmann::json* method) {
   return Status();
 }
 
-/// The method, files by their contents.
+}  // namespace
+
 StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
   nlohmann::json json = MethodJson(method);
   const ParameterizeOptions& options = method.options;
@@ -36,21 +39,6 @@ StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
   }
   if (Status status = HashConeFile(options.cones, &json); !status.ok()) return status;
   return json;
-}
-
-}  // namespace
-
-StatusOr<std::string> RunKey(const Cell& cell, const std::string& mesh_hash,
-                             const std::string& code_version) {
-  const StatusOr<nlohmann::json> method = MethodByContent(cell.method);
-  if (!method.ok()) return method.status();
-  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
-                                  {"mesh_hash", mesh_hash},
-                                  {"method", *method},
-                                  {"repeat", cell.repeat},
-                                  {"code", code_version}};
-  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
-  return HashOf(ToLine(determined_by));
 }
 
 }  // namespace cirque
