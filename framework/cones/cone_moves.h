@@ -10,8 +10,7 @@
 namespace cirque {
 
 /// Cones on their way to where a measure is lower, with the admissible curvatures of least measure
-/// wherever they are. No step raises the measure's form (ConeMeasure), and none but what ends in
-/// `Relocate` returning false leaves the cones elsewhere without lowering it.
+/// wherever they are. Moves lower the measure's form (ConeMeasure), relocations the measure itself.
 class ConeMoves {
  public:
   /// `measure`: as of MakeConeMeasure.
