@@ -49,10 +49,9 @@ DEFINE_string(angle_fit, "",
 DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
               "solver of the angle fit");
 DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the log radii");
-DEFINE_string(
-    cones, cirque::ParameterizeOptions().cones,
-    "cone heuristic, NAME or NAME:KEY=VALUE,...; without it a closed surface gets a simple "
-    "set of cones");
+DEFINE_string(cones, cirque::ParameterizeOptions().cones,
+              "cone heuristic, NAME or NAME:KEY=VALUE,...; without it a closed surface gets "
+              "cones that stretch its triangles little, a torus none");
 DEFINE_int32(cone_budget, cirque::ParameterizeOptions().cone_budget,
              "the most cones; -1: as the heuristic has it");
 DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,

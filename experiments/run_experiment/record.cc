@@ -54,11 +54,11 @@ nlohmann::json MethodJson(const MethodSpec& method) {
   return json;
 }
 
-std::string RunKey(const Cell& cell, const std::string& mesh_hash,
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
                    const std::string& code_version) {
   nlohmann::json determined_by = {{"mesh", cell.mesh.name},
                                   {"mesh_hash", mesh_hash},
-                                  {"method", MethodJson(cell.method)},
+                                  {"method", method},
                                   {"repeat", cell.repeat},
                                   {"code", code_version}};
   if (!cell.measures.empty()) determined_by["measures"] = cell.measures;

@@ -20,8 +20,10 @@ using Record = nlohmann::json;
 /// The cell's method with every option, as records and keys hold it.
 nlohmann::json MethodJson(const MethodSpec& method);
 
-/// Names a run by all that determines it: cell, content of the mesh, code.
-std::string RunKey(const Cell& cell, const std::string& mesh_hash, const std::string& code_version);
+/// Names a run by all that determines it: cell, content of the mesh, method as of MethodByContent,
+/// code.
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
+                   const std::string& code_version);
 
 /// Numbers that a run did not come to are null.
 Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,

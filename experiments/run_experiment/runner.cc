@@ -10,6 +10,7 @@
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/job.h"
 #include "experiments/run_experiment/mesh_files.h"
+#include "experiments/run_experiment/method_content.h"
 #include "experiments/run_experiment/progress.h"
 #include "experiments/run_experiment/provenance.h"
 #include "experiments/run_experiment/results_log.h"
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Locates every mesh, so that nothing has been run when one of them turns out to be missing.
+/// Reads every file, so that nothing has been run when one of them turns out to be missing.
 StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::string& folder,
                                 const nlohmann::json& provenance) {
   std::map<std::string, LocatedMesh> located;
@@ -33,7 +34,10 @@ StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::strin
       located[cell.mesh.name] = *mesh;
     }
     const LocatedMesh& mesh = located[cell.mesh.name];
-    plan.push_back({RunKey(cell, mesh.hash, provenance["code"]), cell, mesh, folder, provenance});
+    const StatusOr<nlohmann::json> method = MethodByContent(cell.method);
+    if (!method.ok()) return method.status();
+    const std::string key = RunKey(cell, mesh.hash, *method, provenance["code"]);
+    plan.push_back({key, cell, mesh, folder, provenance});
   }
   return plan;
 }

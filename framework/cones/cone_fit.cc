@@ -8,12 +8,20 @@
 #include <Eigen/LU>
 #include <glog/logging.h>
 
-#include "cirque/cones/curvature_program.h"
-
 namespace cirque {
 
-ConeFit::ConeFit(const ConeProblem& problem)
-    : problem_(problem), without_cones_(problem.LogScaleWithoutCones()) {}
+ConeFit::ConeFit(const ConeProblem& problem, std::unique_ptr<ConeMeasure> measure)
+    : problem_(problem),
+      measure_(measure ? std::move(measure) : std::make_unique<AreaMeasure>(problem)),
+      without_cones_(problem.LogScaleWithoutCones()),
+      constant_(without_cones_.dot(measure_->Apply(without_cones_))) {}
+
+bool ConeFit::AdaptMeasure() {
+  if (!measure_->AdaptTo(LogScale())) return false;
+  constant_ = without_cones_.dot(measure_->Apply(without_cones_));
+  for (int i = 0; i < size(); ++i) SetProducts(i);
+  return true;
+}
 
 void ConeFit::Add(Index vertex) {
   const int n = size() + 1;
@@ -49,12 +57,12 @@ void ConeFit::SetResponse(int i, Index vertex) {
 }
 
 void ConeFit::SetProducts(int i) {
-  const Eigen::VectorXd weighted = problem_.area().cwiseProduct(response_[i]);
+  const Eigen::VectorXd weighted = measure_->Apply(response_[i]);
   for (int j = 0; j < size(); ++j) gram_(i, j) = gram_(j, i) = weighted.dot(response_[j]);
   linear_[i] = weighted.dot(without_cones_);
 }
 
-bool ConeFit::FitLeastSquares() {
+CurvatureProgram ConeFit::Program() const {
   CurvatureProgram program;
   program.gram = gram_;
   program.linear = linear_;
@@ -62,10 +70,23 @@ bool ConeFit::FitLeastSquares() {
   for (int i = 0; i < size(); ++i) program.lower[i] = problem_.LeastCurvature(vertices_[i]);
   program.upper = Eigen::VectorXd::Constant(size(), problem_.GreatestCurvature());
   if (problem_.IsClosed()) program.total = problem_.TotalCurvature();
+  program.start = curvature_;
+  return program;
+}
+
+bool ConeFit::Fit(const CurvatureProgram& program) {
   const std::optional<Eigen::VectorXd> best = Minimize(program);
   if (!best) return false;
   curvature_ = *best;
   return true;
+}
+
+bool ConeFit::FitLeastSquares() { return Fit(Program()); }
+
+bool ConeFit::FitWithout(int i) {
+  CurvatureProgram program = Program();
+  program.lower[i] = program.upper[i] = 0;
+  return Fit(program);
 }
 
 void ConeFit::FitZeroAtCones() {
@@ -92,14 +113,12 @@ Eigen::VectorXd ConeFit::LogScale() const {
 }
 
 double ConeFit::Distortion() const {
-  double squared = problem_.area().dot(without_cones_.cwiseAbs2());
+  double squared = constant_;
   if (size() > 0) squared += curvature_.dot(gram_ * curvature_ + 2 * linear_);
   return std::sqrt(std::max(squared, 0.0));
 }
 
-Eigen::VectorXd ConeFit::Descent() const {
-  return problem_.Solve(problem_.area().cwiseProduct(LogScale()));
-}
+Eigen::VectorXd ConeFit::Descent() const { return problem_.Solve(measure_->Apply(LogScale())); }
 
 std::vector<Cone> ConeFit::Cones() const {
   std::vector<Cone> cones;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "cirque/cones/cone.h"
+#include "cirque/cones/cone_measure.h"
 #include "cirque/cones/cone_problem.h"
+#include "cirque/cones/curvature_program.h"
 
 namespace cirque {
 
@@ -15,12 +18,13 @@ namespace cirque {
 /// curvature after.
 class ConeFit {
  public:
-  explicit ConeFit(const ConeProblem& problem);
+  /// `measure` is what the fits lower; null: area distortion.
+  explicit ConeFit(const ConeProblem& problem, std::unique_ptr<ConeMeasure> measure = nullptr);
 
   int size() const { return static_cast<int>(vertices_.size()); }
   const std::vector<Index>& vertices() const { return vertices_; }
   const Eigen::VectorXd& curvature() const { return curvature_; }  ///< of each cone [rad]
-  /// sum_v a_v g_c g_d: the Hessian of 1/2 sum a u^2 by the curvatures.
+  /// g_c' M g_d: the Hessian of the measure's form 1/2 u' M u by the curvatures; sum_v a_v g_c g_d.
   const Eigen::MatrixXd& gram() const { return gram_; }
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
@@ -30,9 +34,12 @@ class ConeFit {
   /// Takes the last move back, and the curvatures that it began with.
   void UndoMove();
 
-  /// The admissible curvatures of least distortion 1/2 sum_v a_v u_v^2. False, and nothing changes,
-  /// when admissible curvatures cannot add up to 2 pi chi on a closed surface.
+  /// The admissible curvatures of least 1/2 u' M u. False, and nothing changes, when admissible
+  /// curvatures cannot add up to 2 pi chi on a closed surface.
   bool FitLeastSquares();
+
+  /// The same with no curvature at cone i.
+  bool FitWithout(int i);
 
   /// The curvatures that make u one constant at all cones (0 with a boundary): every cone keeps its
   /// scale, as when a map is made by cutting through the cones (R. Sawhney, K. Crane, "Boundary
@@ -42,17 +49,26 @@ class ConeFit {
   /// u, V.
   Eigen::VectorXd LogScale() const;
 
-  /// sqrt(sum_v a_v u_v^2), without making u.
+  /// sqrt(u' M u), without making u; of area distortion sqrt(sum_v a_v u_v^2).
   double Distortion() const;
 
-  /// The derivative of 1/2 sum_v a_v u_v^2 by the curvature of every vertex, up to one constant on
-  /// a closed surface: the factor's answer to the areas times u. Where it differs from its value at
-  /// the cones, a cone would help.
+  /// The derivative of 1/2 u' M u by the curvature of every vertex, up to one constant on a closed
+  /// surface: the factor's answer to M u. Where it differs from its value at the cones, a cone
+  /// would help.
   Eigen::VectorXd Descent() const;
+
+  /// The measure itself, of the present curvatures.
+  double Measure() const { return measure_->Value(LogScale()); }
+
+  /// Makes M touch the measure at the present curvatures (ConeMeasure::AdaptTo). False when nothing
+  /// changed.
+  bool AdaptMeasure();
 
   std::vector<Cone> Cones() const;
 
  private:
+  CurvatureProgram Program() const;
+  bool Fit(const CurvatureProgram& program);
   void SetResponse(int i, Index vertex);
   void SetProducts(int i);
 
@@ -63,10 +79,12 @@ class ConeFit {
   };
 
   const ConeProblem& problem_;
+  const std::unique_ptr<ConeMeasure> measure_;
   const Eigen::VectorXd without_cones_;
+  double constant_;  ///< u_0' M u_0
   std::vector<Index> vertices_;
   std::vector<Eigen::VectorXd> response_;
-  Eigen::MatrixXd gram_;    ///< area-weighted products of the responses
+  Eigen::MatrixXd gram_;    ///< products of the responses by M
   Eigen::VectorXd linear_;  ///< of the responses with u_0
   Eigen::VectorXd curvature_;
   MoveRecord last_move_;

@@ -11,7 +11,7 @@ const OptionTable<CurvaturePeaksOptions>& CurvaturePeaksOptionTable();
 /// Cones where the surface itself is most curved (the tenth of the vertices with the greatest |K|,
 /// at least eight a cone while they are about as curved), far from one another, with the curvatures
 /// of least distortion. Says nothing about the distortion: the baseline of the others. Without a
-/// budget: the cones of SimpleConeTargets, which are what closed surfaces get by default.
+/// budget: the cones of SimpleConeTargets, whose angles are multiples of pi/2.
 class CurvaturePeaks final : public BudgetedHeuristic {
  public:
   explicit CurvaturePeaks(const CurvaturePeaksOptions& options)

@@ -10,12 +10,17 @@ namespace cirque {
 namespace {
 
 constexpr double kMultiplierTolerance = 1e-12;  ///< relative to the gradient
+constexpr double kSumTolerance = 1e-12;         ///< relative, of a start's total
 
 /// The walk of the active-set method.
 class ActiveSet {
  public:
   ActiveSet(const CurvatureProgram& program, Eigen::VectorXd start)
-      : program_(program), mu_(std::move(start)), free_(mu_.size(), true) {}
+      : program_(program), mu_(std::move(start)), free_(mu_.size(), true) {
+    for (int i = 0; i < mu_.size(); ++i) {
+      free_[i] = mu_[i] > program.lower[i] && mu_[i] < program.upper[i];
+    }
+  }
 
   Eigen::VectorXd Run() {
     const auto n = static_cast<int>(mu_.size());
@@ -86,7 +91,7 @@ class ActiveSet {
     int best = -1;
     double gain = tolerance;
     for (int i = 0; i < mu_.size(); ++i) {
-      if (free_[i]) continue;
+      if (free_[i] || program_.lower[i] == program_.upper[i]) continue;
       const double pull = mu_[i] == program_.lower[i] ? -gradient[i] : gradient[i];
       if (pull <= gain) continue;
       gain = pull;
@@ -102,11 +107,21 @@ class ActiveSet {
   double multiplier_ = 0;
 };
 
+bool IsFeasible(const CurvatureProgram& program, const Eigen::VectorXd& mu) {
+  if (mu.size() != program.lower.size()) return false;
+  if ((mu.array() < program.lower.array()).any() || (mu.array() > program.upper.array()).any()) {
+    return false;
+  }
+  return !program.total ||
+         std::abs(mu.sum() - *program.total) <= kSumTolerance * (1 + mu.lpNorm<1>());
+}
+
 }  // namespace
 
 std::optional<Eigen::VectorXd> Minimize(const CurvatureProgram& program) {
   const Eigen::VectorXd width = program.upper - program.lower;
   if (width.size() > 0 && width.minCoeff() < 0) return std::nullopt;
+  if (IsFeasible(program, program.start)) return ActiveSet(program, program.start).Run();
   Eigen::VectorXd start = Eigen::VectorXd::Zero(width.size());
   start = start.cwiseMax(program.lower).cwiseMin(program.upper);
   if (program.total) {

@@ -13,6 +13,7 @@ struct CurvatureProgram {
   Eigen::MatrixXd gram;  ///< n x n, positive definite
   Eigen::VectorXd linear, lower, upper;
   std::optional<double> total;
+  Eigen::VectorXd start;  ///< near the minimiser, if known: used where it is feasible
 };
 
 /// Its minimiser by a primal active-set method from a feasible point, O(n^3) a step; nothing when

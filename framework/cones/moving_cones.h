@@ -10,6 +10,8 @@ namespace cirque {
 struct MovingOptions : ConeBudget {
   std::string start = "greedy";  ///< the heuristic that places the cones first
   int max_sweeps = 30;
+  std::string measure = "area";  ///< or "angle"
+  int relocations = 0;
 };
 
 const OptionTable<MovingOptions>& MovingOptionTable();
@@ -19,23 +21,28 @@ const OptionTable<MovingOptions>& MovingOptionTable();
 /// edges down the slope of the distortion, and where the distortion of the best curvatures is then
 /// lower, stays. The slope at all vertices is one solve (ConeFit::Descent) and a trial one more,
 /// all with one factor of the Laplacian: a trial exchanges a row of the small least-squares problem
-/// and nothing is factored again.
+/// and nothing is factored again. Where no cone moves any more, cones that are missed least are put
+/// where one more would help most, at most `relocations` times.
 ///
-/// Guarantees: the predicted distortion sqrt(sum a u^2) is at most that of the start with least-
-/// squares curvatures; the number of cones is that of the start.
+/// `measure`: `area`, the predicted area distortion sqrt(sum a u^2); `angle`, the predicted mean of
+/// the quasi-conformal distortion (AngleMeasure), which cones of little area distortion need not
+/// lower.
+///
+/// Guarantees: the measure is at most that of the start with the curvatures fitted to it (`angle`:
+/// up to its smoothing); the number of cones is that of the start.
 class MovingCones final : public ConeHeuristic {
  public:
   /// Error (invalid input): a start that does not take the budget's options, or is itself moving.
   static StatusOr<std::shared_ptr<const ConeHeuristic>> Make(const OptionMap& options);
 
-  MovingCones(std::shared_ptr<const ConeHeuristic> start, int max_sweeps)
-      : start_(std::move(start)), max_sweeps_(max_sweeps) {}
+  MovingCones(std::shared_ptr<const ConeHeuristic> start, MovingOptions options)
+      : start_(std::move(start)), options_(std::move(options)) {}
 
   StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const override;
 
  private:
   std::shared_ptr<const ConeHeuristic> start_;
-  int max_sweeps_;
+  MovingOptions options_;
 };
 
 }  // namespace cirque

@@ -12,8 +12,8 @@ struct ParameterizeOptions {
   std::string angle_strategy = "auto";     ///< a name of AngleStrategyNames()
   std::string strategy = "auto";           ///< a name of SolverStrategies(), for the log radii
   std::string layout = "directions";       ///< or "least_squares" (Poisson)
-  /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: no cones with a
-  /// boundary, those of SimpleConeTargets without. For targets that are not given otherwise.
+  /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,
+  /// which are no cones with a boundary. For targets that are not given otherwise.
   std::string cones;
   int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"

@@ -7,8 +7,8 @@
 
 namespace cirque {
 
-/// Interior vertices flat and boundary vertices free; on a closed surface the cones of
-/// SimpleConeTargets.
+/// Interior vertices flat, boundary vertices free. A closed surface: as many cones as those of
+/// SimpleConeTargets, moved by `moving:measure=angle` unless they are more than 96.
 StatusOr<ConeTargets> DefaultTargets(const Triangulation& triangulation,
                                      const EdgeLengths& lengths);
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cones/cone_fit.h"
+#include "cirque/cones/cone_moves.h"
 #include "cirque/cones/l1_cones.h"
 #include "cirque/cones/registry.h"
 #include "cirque/mesh/preflight.h"
@@ -109,6 +110,36 @@ TEST(KnownCones, CornersOfATetrahedron) { ExpectCornersAreFound(Tetrahedron(), 4
 TEST(KnownCones, CornersOfAnOctahedron) { ExpectCornersAreFound(Octahedron(), 6); }
 TEST(KnownCones, CornersOfACube) { ExpectCornersAreFound(Cube(), 8); }
 
+TEST(KnownCones, AMisplacedConeIsPutWhereItIsMissing) {
+  const Surface surface = Subdivided(Cube(), 8);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const ConeProblem problem(surface.triangulation, lengths);
+  const std::vector<Index> corners = CornersOf(problem);
+  ASSERT_EQ(corners.size(), 8u);
+  for (const char* measure : {"area", "angle"}) {
+    SCOPED_TRACE(measure);
+    std::vector<Cone> start;
+    for (int i = 1; i < 8; ++i) start.push_back(ConeOfCurvature(corners[i], kPi / 2));
+    // Two edges from the second corner, which already has its own.
+    Index near = kNone;
+    for (const Index v : problem.candidates()) {
+      const double distance = (surface.position[v] - surface.position[corners[1]]).norm();
+      if (distance > 0.2 && distance < 0.3) near = v;
+    }
+    start.push_back(ConeOfCurvature(near, kPi / 2));
+    ConeMoves moves(problem, start, measure);
+    ASSERT_TRUE(moves.FitStart());
+    ASSERT_TRUE(moves.Relocate());
+    while (moves.Sweep()) {
+    }
+    moves.FitEnd();
+    std::vector<Index> found;
+    for (const Cone& cone : moves.Cones()) found.push_back(cone.vertex);
+    EXPECT_THAT(found, testing::UnorderedElementsAreArray(corners));
+    EXPECT_FALSE(moves.Relocate());
+  }
+}
+
 TEST(KnownCones, TheApexOfACone) {
   // A circular cone, flat but for its apex; its boundary is not flat, which is nobody's business.
   PolygonSoup base;
@@ -193,24 +224,41 @@ TEST(L1Cones, SolutionIsOptimal) {
   }
 }
 
-TEST(ConeFit, LeastSquaresIsOptimalAndZeroAtConesIsZero) {
+/// sqrt(u' M u) for what the fit holds.
+void ExpectFormAgrees(const ConeFit& fit, const ConeMeasure& measure) {
+  const Eigen::VectorXd u = fit.LogScale();
+  EXPECT_NEAR(fit.Distortion(), std::sqrt(u.dot(measure.Apply(u))), 1e-9);
+  EXPECT_NEAR(fit.Measure(), measure.Value(u), 1e-9);
+}
+
+void ExpectFitIsOptimal(const std::string& name) {
+  SCOPED_TRACE(name);
   const Surface surface = GeneratedSurface("blob", 800);
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
-  ConeFit fit(problem);
+  const auto measure = MakeConeMeasure(name, problem);
+  ConeFit fit(problem, MakeConeMeasure(name, problem));
   for (const Index v : {3, 50, 120, 200, 310}) fit.Add(v);
   ASSERT_TRUE(fit.FitLeastSquares());
+  measure->AdaptTo(fit.LogScale());
+  EXPECT_EQ(fit.AdaptMeasure(), name == "angle");
+  const double start = fit.Measure();
+  ASSERT_TRUE(fit.FitLeastSquares());
   EXPECT_NEAR(fit.curvature().sum(), problem.TotalCurvature(), 1e-10);
-  EXPECT_NEAR(fit.Distortion(), AreaNorm(problem, fit.LogScale()), 1e-10);
+  EXPECT_LE(fit.Measure(), start + 1e-12);
+  ExpectFormAgrees(fit, *measure);
   const Eigen::VectorXd slope = fit.Descent()(fit.vertices());
   for (int i = 0; i < fit.size(); ++i) {
     const bool free = fit.curvature()[i] < problem.GreatestCurvature() - 1e-9 &&
                       fit.curvature()[i] > problem.LeastCurvature(fit.vertices()[i]) + 1e-9;
     if (free) {
-      EXPECT_NEAR(slope[i], slope[0], 1e-10);
+      EXPECT_NEAR(slope[i], slope[0], 1e-9);
     }
   }
   const double best = fit.Distortion();
+  ASSERT_TRUE(fit.FitWithout(1));
+  EXPECT_EQ(fit.curvature()[1], 0);
+  EXPECT_GT(fit.Distortion(), best);
   fit.FitZeroAtCones();
   const Eigen::VectorXd u = fit.LogScale()(fit.vertices());
   EXPECT_LT((u.array() - u[0]).abs().maxCoeff(), 1e-10);
@@ -218,7 +266,12 @@ TEST(ConeFit, LeastSquaresIsOptimalAndZeroAtConesIsZero) {
   fit.Move(2, 400);
   fit.UndoMove();
   EXPECT_EQ(fit.vertices()[2], 120);
-  EXPECT_NEAR(fit.Distortion(), AreaNorm(problem, fit.LogScale()), 1e-10);
+  ExpectFormAgrees(fit, *measure);
+}
+
+TEST(ConeFit, LeastSquaresIsOptimalAndZeroAtConesIsZero) {
+  ExpectFitIsOptimal("area");
+  ExpectFitIsOptimal("angle");
 }
 
 }  // namespace

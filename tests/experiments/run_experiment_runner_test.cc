@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/run_experiment/columns.h"
+#include "experiments/run_experiment/method_content.h"
 #include "experiments/run_experiment/runner.h"
 #include "tests/common/temporary_folder.h"
 
@@ -300,7 +301,8 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
   mesh.name = mesh.generator = "torus";
   mesh.generator_options.triangles = 300;
   Cell cell = MakeCells({mesh}, {{"a", {}}}, 1)[0];
-  const std::string plain_key = RunKey(cell, "hash", "code");
+  const auto key = [&] { return RunKey(cell, "hash", MethodJson(cell.method), "code"); };
+  const std::string plain_key = key();
   const auto record = [&] {
     return MakeRecord("key", cell, {}, ParameterizeCell(cell, ""), nlohmann::json::object());
   };
@@ -309,11 +311,42 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
   cell.measures = {"resolution_unit_area", "quasi_conformal_mean"};
   const Record measured = record();
   EXPECT_GT(measured["values"]["resolution_unit_area"], 1);
-  EXPECT_NE(RunKey(cell, "hash", "code"), plain_key);
+  EXPECT_NE(key(), plain_key);
   const std::string table = ToTable({measured});
   EXPECT_THAT(table, HasSubstr("  resolution_unit_area\n"));
   EXPECT_THAT(table, ::testing::Not(HasSubstr("quasi_conformal_mean")));  // shown as "qc mean"
   EXPECT_THAT(ToCsv({measured}), HasSubstr(",resolution_unit_area,"));
+}
+
+TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
+  const std::vector<std::pair<std::string, std::string ParameterizeOptions::*>> kinds = {
+      {"", &ParameterizeOptions::edge_costs}, {"given:file=", &ParameterizeOptions::cones}};
+  for (const auto& [before, member] : kinds) {
+    SCOPED_TRACE(before);
+    const auto content = [&](const std::string& path) {
+      MethodSpec method = config_.cells[0].method;
+      method.options.*member = before + path;
+      return MethodByContent(method);
+    };
+    const std::string file = folder_.Write("a.txt", "1 2 0.5\n");
+    const nlohmann::json first = *content(file);
+    EXPECT_EQ(*content(folder_.Write("elsewhere/b.txt", "1 2 0.5\n")), first);
+    folder_.Write("a.txt", "1 2 0.75\n");
+    EXPECT_NE(*content(file), first);
+    EXPECT_NE(first, MethodJson(config_.cells[0].method));
+    const std::string missing = folder_.Path("missing.txt");
+    EXPECT_EQ(content(missing).status().code(), StatusCode::kInvalidInput);
+    EXPECT_THAT(content(missing).status().message(), HasSubstr(missing));
+  }
+}
+
+TEST_F(RunExperimentTest, AChangedFileOfCostsMakesItsRunsAgain) {
+  config_.cells.resize(1);
+  config_.cells[0].method.options.edge_costs = folder_.Write("costs.txt", "1 2 0.5\n");
+  EXPECT_EQ(Run().ran, 1);
+  EXPECT_EQ(Run().ran, 0);
+  folder_.Write("costs.txt", "1 2 3\n");
+  EXPECT_EQ(Run().ran, 1);
 }
 
 TEST_F(RunExperimentTest, ProgressInAFileIsOneLineARun) {

@@ -1,0 +1,171 @@
+#include "cirque/cones/cone_moves.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "cirque/cones/descent.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kFirstStride = 8;                          ///< edges
+constexpr double kLeastGain = 1e-6;                      ///< relative, of a move worth making
+constexpr int kAdaptations = 2, kLastAdaptations = 20;   ///< of the measure's form
+constexpr std::size_t kMostMissed = 8, kMostPlaces = 4;  ///< tried by a relocation
+constexpr double kLeastRelocationGain = 1e-3;
+constexpr double kHopeless = 1.05;  ///< over the measure before: a new place not worth settling at
+
+}  // namespace
+
+ConeMoves::ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start,
+                     const std::string& measure)
+    : problem_(problem),
+      corners_at_(
+          SortIntoBuckets(problem.triangulation().vertex, problem.triangulation().num_vertices)),
+      fit_(problem, MakeConeMeasure(measure, problem)),
+      taken_(problem.triangulation().num_vertices, false),
+      stride_(start.size(), kFirstStride) {
+  for (const Cone& cone : start) {
+    fit_.Add(cone.vertex);
+    taken_[cone.vertex] = true;
+  }
+}
+
+bool ConeMoves::FitStart() {
+  if (!fit_.FitLeastSquares()) return false;
+  Adapt(kAdaptations);
+  return true;
+}
+
+void ConeMoves::FitEnd() { Adapt(kLastAdaptations); }
+
+/// Fits again where the measure's form has changed, as long as the measure falls by it.
+void ConeMoves::Adapt(int times) {
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < times && fit_.AdaptMeasure(); ++i) {
+    fit_.FitLeastSquares();
+    const double now = fit_.Measure();
+    if (now > (1 - kLeastGain) * before) break;
+    before = now;
+  }
+}
+
+bool ConeMoves::Sweep() {
+  Adapt(kAdaptations);
+  const Eigen::VectorXd slope = fit_.Descent();
+  bool moving = false;
+  for (int i = 0; i < fit_.size(); ++i) {
+    if (stride_[i] == 0) continue;
+    const bool moved = TryMove(i, slope, stride_[i]);
+    stride_[i] = moved ? std::min(kFirstStride, 2 * stride_[i]) : stride_[i] / 2;
+    moving = moving || stride_[i] > 0;
+  }
+  return moving;
+}
+
+bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
+  const Index from = fit_.vertices()[i];
+  const Index to = Downhill(from, fit_.curvature()[i] * slope, stride);
+  if (to == from) return false;
+  const double before = fit_.Distortion();
+  fit_.Move(i, to);
+  if (!fit_.FitLeastSquares() || fit_.Distortion() > (1 - kLeastGain) * before) {
+    fit_.UndoMove();
+    return false;
+  }
+  taken_[from] = false;
+  taken_[to] = true;
+  return true;
+}
+
+/// At most `steps` edges down the field, past no other cone.
+Index ConeMoves::Downhill(Index v, const Eigen::VectorXd& field, int steps) const {
+  const Triangulation& t = problem_.triangulation();
+  for (; steps > 0; --steps) {
+    Index best = v;
+    for (Index i = corners_at_.first[v]; i < corners_at_.first[v + 1]; ++i) {
+      const Index h = corners_at_.item[i];
+      for (const Index w : {t.Tail(h), t.Tip(h)}) {
+        if (!taken_[w] && problem_.IsCandidate(w) && field[w] < field[best]) best = w;
+      }
+    }
+    if (best == v) break;
+    v = best;
+  }
+  return v;
+}
+
+bool ConeMoves::Relocate() {
+  const double before = fit_.Measure();
+  for (const int i : LeastMissed()) {
+    if (!fit_.FitWithout(i)) continue;
+    const Index from = fit_.vertices()[i];
+    for (const Index to : BestPlaces()) {
+      if (TryPlace(i, to, before)) return true;
+    }
+    Put(i, from);
+  }
+  return false;
+}
+
+/// The cones without which the form is lowest.
+std::vector<int> ConeMoves::LeastMissed() {
+  std::vector<std::pair<double, int>> missed;
+  for (int i = 0; i < fit_.size(); ++i) {
+    if (fit_.FitWithout(i)) missed.emplace_back(fit_.Distortion(), i);
+  }
+  fit_.FitLeastSquares();
+  std::sort(missed.begin(), missed.end());
+  if (missed.size() > kMostMissed) missed.resize(kMostMissed);
+  std::vector<int> cones;
+  for (const auto& [distortion, i] : missed) cones.push_back(i);
+  return cones;
+}
+
+/// Where a little curvature would lower the form most: maxima among neighbours.
+std::vector<Index> ConeMoves::BestPlaces() const {
+  const Triangulation& t = problem_.triangulation();
+  const Eigen::VectorXd score = DistanceFromCones(problem_, fit_, fit_.Descent());
+  std::vector<bool> is_maximum(t.num_vertices, true);
+  for (const Index h : t.edge_halfedge) {
+    const Index a = t.Tail(h), b = t.Tip(h);
+    if (score[a] != score[b]) is_maximum[score[a] < score[b] ? a : b] = false;
+  }
+  std::vector<std::pair<double, Index>> maxima;
+  for (const Index v : problem_.candidates()) {
+    if (is_maximum[v] && !taken_[v]) maxima.emplace_back(-score[v], v);
+  }
+  std::sort(maxima.begin(), maxima.end());
+  if (maxima.size() > kMostPlaces) maxima.resize(kMostPlaces);
+  std::vector<Index> places;
+  for (const auto& [score_there, v] : maxima) places.push_back(v);
+  return places;
+}
+
+bool ConeMoves::TryPlace(int i, Index to, double before) {
+  Put(i, to);
+  if (fit_.Measure() > kHopeless * before) return false;
+  Settle(i);
+  if (fit_.Measure() > (1 - kLeastRelocationGain) * before) return false;
+  std::fill(stride_.begin(), stride_.end(), kFirstStride);
+  return true;
+}
+
+void ConeMoves::Put(int i, Index to) {
+  taken_[fit_.vertices()[i]] = false;
+  taken_[to] = true;
+  fit_.Move(i, to);
+  fit_.FitLeastSquares();
+  Adapt(kAdaptations);
+}
+
+void ConeMoves::Settle(int i) {
+  for (int stride = kFirstStride; stride > 0;) {
+    const bool moved = TryMove(i, fit_.Descent(), stride);
+    stride = moved ? std::min(kFirstStride, 2 * stride) : stride / 2;
+  }
+  Adapt(kAdaptations);
+}
+
+}  // namespace cirque

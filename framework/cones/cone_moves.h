@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/cones/cone_fit.h"
+#include "cirque/cones/cone_problem.h"
+#include "cirque/mesh/counting_sort.h"
+
+namespace cirque {
+
+/// Cones on their way to where a measure is lower, with the admissible curvatures of least measure
+/// wherever they are. Moves lower the measure's form (ConeMeasure), relocations the measure itself.
+class ConeMoves {
+ public:
+  /// `measure`: as of MakeConeMeasure.
+  ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start, const std::string& measure);
+
+  /// The curvatures for where the cones start. False when none are admissible.
+  bool FitStart();
+
+  /// Every cone once a few edges downhill; true while some cone may still move.
+  bool Sweep();
+
+  /// Puts one cone, of those that are missed least, where a cone more would help most, and lets it
+  /// settle there. False when no such change lowers the measure; the cones then are where they
+  /// were.
+  bool Relocate();
+
+  /// Fits the curvatures until the measure no longer falls.
+  void FitEnd();
+
+  std::vector<Cone> Cones() const { return fit_.Cones(); }
+
+ private:
+  bool TryMove(int i, const Eigen::VectorXd& slope, int stride);
+  Index Downhill(Index v, const Eigen::VectorXd& field, int steps) const;
+  std::vector<int> LeastMissed();
+  std::vector<Index> BestPlaces() const;
+  bool TryPlace(int i, Index to, double before);
+  void Put(int i, Index to);
+  void Settle(int i);
+  void Adapt(int times);
+
+  const ConeProblem& problem_;
+  const Buckets corners_at_;
+  ConeFit fit_;
+  std::vector<bool> taken_;
+  std::vector<int> stride_;  ///< of each cone's next move; 0: it rests
+};
+
+}  // namespace cirque
