@@ -105,7 +105,7 @@ TEST_F(StudyTest, StrategiesAreComparedByStageAndGrowth) {
         ReportRecord("bumpy_terrain-" + std::to_string(n), "radii,strategy=newton", 1);
     record["mesh"]["family"] = "bumpy_terrain";
     record["mesh"]["triangles"] = n;
-    record["seconds"] = {{"radii", 1e-9 * n * n}, {"total", 1}};
+    record["cpu_seconds"] = 1e-9 * n * n;
     record["values"] = {{"radii_iterations", 4}, {"radii_factorizations", 2}};
     records.push_back(record);
   }
