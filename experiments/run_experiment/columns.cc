@@ -33,6 +33,7 @@ std::vector<Column> FixedColumns() {
       {"message", "/message", "", ""},
       {"seconds_total", "/seconds/total", "time [s]", "{:.2f}"},
       {"cpu_seconds", "/cpu_seconds", "", ""},
+      {"map_cpu_seconds", "/map_cpu_seconds", "", ""},
       {"reference_seconds", "/reference/seconds", "", ""},
       {"reference_cpu_seconds", "/reference/cpu_seconds", "", ""},
       {"peak_memory_mib", "/peak_memory_mib", "", ""},

@@ -23,6 +23,7 @@ const std::vector<Quantity>& OwnQuantities() {
       {"seconds_radii", "/seconds/radii", "time of the log radii [s]"},
       {"seconds_layout", "/seconds/layout", "time of the layout [s]"},
       {"cpu_seconds", "/cpu_seconds", "CPU time [s]"},
+      {"map_cpu_seconds", "/map_cpu_seconds", "CPU time without reading the mesh [s]"},
       {"reference_cpu_seconds", "/reference/cpu_seconds", "reference factorization [CPU s]"},
       {"peak_memory_mib", "/peak_memory_mib", "peak memory [MiB]"},
       {"flips", "/values/flips", "intrinsic flips"},
@@ -30,12 +31,12 @@ const std::vector<Quantity>& OwnQuantities() {
       {"smallest_angle", "/values/smallest_angle", "smallest angle [rad]"},
       {"smallest_theta", "/values/smallest_theta", "smallest intersection angle [rad]"},
       {"angle_iterations", "/values/angle_iterations", "iterations of the angle fit"},
-      {"angle_factorizations", "/values/angle_factorizations", "factorizations, angle fit"},
-      {"angle_cg_iterations", "/values/angle_cg_iterations", "conjugate gradient steps, angle fit"},
+      {"angle_factorizations", "/values/angle_factorizations", "factorizations of the angle fit"},
+      {"angle_cg_iterations", "/values/angle_cg_iterations", "CG steps of the angle fit"},
       {"angle_gap", "/values/angle_gap", "duality gap of the angle fit"},
       {"radii_iterations", "/values/radii_iterations", "iterations of the log radii"},
-      {"radii_factorizations", "/values/radii_factorizations", "factorizations, log radii"},
-      {"radii_cg_iterations", "/values/radii_cg_iterations", "conjugate gradient steps, log radii"},
+      {"radii_factorizations", "/values/radii_factorizations", "factorizations of the log radii"},
+      {"radii_cg_iterations", "/values/radii_cg_iterations", "CG steps of the log radii"},
       {"radii_gradient", "/values/radii_gradient", "gradient of the log radii [rad]"},
       {"radii_gap", "/values/radii_gap", "duality gap of the log radii"},
       {"log_radius_range", "/values/log_radius_range", "range of the log radii"},
@@ -49,14 +50,20 @@ const std::vector<Quantity>& OwnQuantities() {
   return kTable;
 }
 
+/// A name as people write it.
+std::string Spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::vector<Quantity> MakeQuantities() {
   std::vector<Quantity> table = OwnQuantities();
   for (const std::string& figure : FigureNames()) {
-    table.push_back({figure, "/values/" + figure, figure});
+    table.push_back({figure, "/values/" + figure, Spaced(figure)});
   }
   for (const MethodField& field : MethodFields()) {
     if (!std::holds_alternative<std::string ParameterizeOptions::*>(field.member)) {
-      table.push_back({field.name, "/method/" + field.name, field.name});
+      table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
     }
   }
   return table;
@@ -69,7 +76,7 @@ std::vector<Quantity> MakeGroups() {
                                  {"domain", "/method/domain", "domain"},
                                  {"overlap", "/overlap", "overlap"}};
   for (const MethodField& field : MethodFields()) {
-    table.push_back({field.name, "/method/" + field.name, field.name});
+    table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
   }
   return table;
 }

@@ -88,7 +88,10 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"provenance", provenance},
   };
   if (!cell.measures.empty()) record["measures"] = cell.measures;
-  if (result.cpu_seconds > 0) record["cpu_seconds"] = result.cpu_seconds;
+  if (result.cpu_seconds > 0) {
+    record["cpu_seconds"] = result.cpu_seconds;
+    record["map_cpu_seconds"] = result.map_cpu_seconds;
+  }
   if (result.peak_memory_mib > 0) record["peak_memory_mib"] = result.peak_memory_mib;
   if (cell.reference && result.reference.seconds > 0) {
     record["reference"] = {{"seconds", result.reference.seconds},

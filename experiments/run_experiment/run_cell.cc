@@ -82,10 +82,13 @@ Status Run(const Cell& cell, const std::string& path, RunResult* result) {
   const Timer timer;
   const double cpu_before = ProcessCpuSeconds();
   const StatusOr<Input> input = ReadInput(cell.mesh, path, result);
+  const double cpu_at_map = ProcessCpuSeconds();
   const Status status =
       input.ok() ? MapCell(cell, input->soup, input->surface, result) : input.status();
+  const double cpu_after = ProcessCpuSeconds();
   result->seconds = timer.Seconds();
-  result->cpu_seconds = ProcessCpuSeconds() - cpu_before;
+  result->cpu_seconds = cpu_after - cpu_before;
+  result->map_cpu_seconds = cpu_after - cpu_at_map;
   result->peak_memory_mib = PeakMemoryMib();
   if (cell.reference && input.ok()) result->reference = TimeReference(input->surface);
   return status;

@@ -21,6 +21,7 @@ struct RunResult {
   PolygonSoup map = {};
   double seconds = 0;          ///< wall time, the reference left out; 0: until this is returned
   double cpu_seconds = 0;      ///< of this process, the reference left out
+  double map_cpu_seconds = 0;  ///< the part of it after reading and making the surface
   double peak_memory_mib = 0;  ///< of this process until the run's end; 0: not known
   ReferenceFactorization reference = {};  ///< the fastest of three, where the cell asks for it
 };

@@ -45,6 +45,10 @@ class Run:
         return self.record.get("cpu_seconds")
 
     @property
+    def map_cpu(self):
+        return self.record.get("map_cpu_seconds")
+
+    @property
     def memory(self):
         return self.record.get("peak_memory_mib")
 
