@@ -171,14 +171,16 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(with_history), [&](const Run& run) {
     return run.record.contains(pointer) && run.record.at(pointer).is_array();
   });
-  const Series strategies(with_history, strategy);
+  // Where all runs have one strategy, their methods tell them apart.
+  const Series strategies(with_history, strategy), methods = Methods(with_history);
+  const bool by_method = strategies.names().size() == 1;
   std::vector<Curve> curves;
   for (const Run& run : with_history) {
-    curves.push_back(
-        HistoryCurve(run, run.record.at(pointer), strategies.Of(strategy(run)), strategy(run)));
+    const int series = by_method ? methods.Of(run.method) : strategies.Of(strategy(run));
+    curves.push_back(HistoryCurve(run, run.record.at(pointer), series, strategy(run)));
   }
   return CurveChart({title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""},
-                    strategies.names(), curves, false);
+                    by_method ? methods.names() : strategies.names(), curves, false);
 }
 
 }  // namespace
