@@ -8,22 +8,15 @@
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/generators.h"
-#include "cirque/mesh/preflight.h"
+
+#include "bench/surfaces.h"
 
 namespace cirque {
 namespace {
 
-Surface MakeTerrain(int triangles) {
-  PreflightReport report;
-  StatusOr<Surface> surface = Preflight(*GenerateMesh("bumpy_terrain", {triangles, 1}), &report);
-  CHECK(surface.ok()) << surface.status().message();
-  return *std::move(surface);
-}
-
 std::unique_ptr<const EnergyInput> MakeInput(int triangles) {
   auto input = std::make_unique<EnergyInput>();
-  const Surface surface = MakeTerrain(triangles);
+  const Surface& surface = BenchSurface("bumpy_terrain", triangles);
   const Triangulation& t = input->triangulation = surface.triangulation;
   input->targets = FreeBoundaryTargets(t);
   input->reference = MeasureCornerAngles(t, MeasureEdgeLengths(surface));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cirque/core/status.h"
 #include "cirque/pipeline/domain.h"
@@ -9,9 +8,6 @@
 #include "experiments/circle_patterns/run.h"
 
 namespace cirque {
-
-/// "plane, disk, ...".
-std::vector<std::string> DomainNames();
 
 /// Refuses an unknown domain, and flags given on the command line that this domain does not read.
 Status CheckDomainFlags(const std::string& domain);

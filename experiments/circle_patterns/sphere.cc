@@ -11,7 +11,7 @@
 #include "cirque/mesh/preflight.h"
 
 #include "experiments/circle_patterns/file_numbering.h"
-#include "experiments/circle_patterns/sphere_files.h"
+#include "experiments/common/sphere_files.h"
 
 namespace cirque {
 namespace {

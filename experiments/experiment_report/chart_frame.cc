@@ -88,7 +88,8 @@ std::string EmptyFigure(const ChartText& text, const std::string& reason) {
 }
 
 std::string MarkClass(int series, const std::string& further) {
-  return fmt::format("class=\"mark s{}{}\"", series % kColours, further);
+  const char* again = series < kColours ? "" : " again";
+  return fmt::format("class=\"mark s{}{}{}\"", series % kColours, again, further);
 }
 
 std::string TitleElement(const std::string& title) {
@@ -101,7 +102,7 @@ std::string Marker(int series, double x, double y, const std::string& title) {
       fmt::format("a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z", r, 2 * r),
       fmt::format("v-{0}h{1}v{1}h-{1}z", r * 0.9, 2 * r * 0.9),
       fmt::format("l{0} -{1}l{0} {1}z", r, 1.5 * r), fmt::format("l{0} -{0}l{0} {0}l-{0} {0}z", r)};
-  const int shape = series % kShapes;
+  const int shape = (series + series / kColours) % kShapes;  // another one when colours repeat
   const double down = shape == 2 ? y + 0.75 * r : y;
   return fmt::format("<path {} d=\"M{:.1f} {:.1f}{}\">{}</path>", MarkClass(series), x - r, down,
                      shapes[shape], TitleElement(title));

@@ -8,8 +8,9 @@
 namespace cirque::experiment_report {
 
 /// What a chart is called and what its axes are. Charts are HTML figure elements with an inline SVG
-/// that takes its colours from the page's style sheet: series i has the class "s" + i mod 8 and,
-/// drawn as points, the shape i mod 4. Every mark has the class "mark" and a title for the pointer.
+/// that takes its colours from the page's style sheet: series i has the class "s" + i mod 8, from
+/// the ninth on also "again" (lines are dashed), and points of every series have one of 4 shapes.
+/// Every mark has the class "mark" and a title for the pointer.
 struct ChartText {
   std::string title;
   std::string x_label, y_label;

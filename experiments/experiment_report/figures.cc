@@ -64,6 +64,11 @@ double Shown(double distortion) {
   return distortion < kLeastDistortion ? kLeastDistortion : distortion;
 }
 
+/// Says so where one of the values is drawn as the least.
+std::string LeastNote(const std::vector<double>& shown) {
+  return std::find(shown.begin(), shown.end(), kLeastDistortion) == shown.end() ? "" : kLeastNote;
+}
+
 /// How far a ratio that is at least 1 exceeds it.
 double Excess(const Run& run, const std::string& ratio) { return Shown(run.Value(ratio) - 1); }
 
@@ -72,12 +77,14 @@ double AreaDistortion(const Run& run) { return Shown(run.Value("log_area_ratio_l
 std::string DistortionScatter(const std::vector<Run>& maps) {
   const Series methods = Methods(maps);
   std::vector<Point> points;
+  std::vector<double> shown;
   for (const Run& run : maps) {
     const double angle = Excess(run, "quasi_conformal_mean"), area = AreaDistortion(run);
+    shown.insert(shown.end(), {angle, area});
     points.push_back({methods.Of(run.method), angle, area, PointTitle(run, angle, area)});
   }
   return ScatterChart({"Area against angle distortion", "mean quasi-conformal ratio - 1",
-                       "log area ratio, root mean square", kLog, kLog, kLeastNote},
+                       "log area ratio, root mean square", kLog, kLog, LeastNote(shown)},
                       methods.names(), points);
 }
 
@@ -86,9 +93,14 @@ std::string Histogram(const std::vector<Run>& maps, const std::string& title,
                       const std::string& label, Get value) {
   const Series methods = Methods(maps);
   std::vector<Sample> samples;
-  for (const Run& run : maps) samples.push_back({methods.Of(run.method), value(run)});
-  return HistogramChart({title, label, "runs", AxisKind::kLinear, AxisKind::kWhole, kLeastNote},
-                        methods.names(), samples);
+  std::vector<double> shown;
+  for (const Run& run : maps) {
+    shown.push_back(value(run));
+    samples.push_back({methods.Of(run.method), shown.back()});
+  }
+  return HistogramChart(
+      {title, label, "runs", AxisKind::kLinear, AxisKind::kWhole, LeastNote(shown)},
+      methods.names(), samples);
 }
 
 std::string Histograms(const std::vector<Run>& maps) {
@@ -159,14 +171,16 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(with_history), [&](const Run& run) {
     return run.record.contains(pointer) && run.record.at(pointer).is_array();
   });
-  const Series strategies(with_history, strategy);
+  // Where all runs have one strategy, their methods tell them apart.
+  const Series strategies(with_history, strategy), methods = Methods(with_history);
+  const bool by_method = strategies.names().size() == 1;
   std::vector<Curve> curves;
   for (const Run& run : with_history) {
-    curves.push_back(
-        HistoryCurve(run, run.record.at(pointer), strategies.Of(strategy(run)), strategy(run)));
+    const int series = by_method ? methods.Of(run.method) : strategies.Of(strategy(run));
+    curves.push_back(HistoryCurve(run, run.record.at(pointer), series, strategy(run)));
   }
   return CurveChart({title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""},
-                    strategies.names(), curves, false);
+                    by_method ? methods.names() : strategies.names(), curves, false);
 }
 
 }  // namespace

@@ -30,7 +30,9 @@ constexpr char kUsage[] =
     "experiment_report [FLAGS] RESULTS_DIR\n"
     "Writes the results of an experiment, finished or under way, as report.html, one page that\n"
     "needs no other file; beside it report.csv and report.json (a row a run), convergence.csv and\n"
-    "convergence.json (a row an iteration).\n\n";
+    "convergence.json (a row an iteration), report_figures.json (the points of the figures that "
+    "the\n"
+    "config asks for).\n\n";
 constexpr int kBadInput = 2;
 constexpr double kMegabyte = 1e6;
 constexpr double kWithoutMaps = 1;  // [MB] of the page left for all else
@@ -52,7 +54,9 @@ Status WriteReport(const std::string& folder, const fs::path& page) {
   const double bytes = std::max(0.0, FLAGS_max_megabytes - kWithoutMaps) * kMegabyte;
   const ShownMaps maps = CollectMaps(folder, results->runs, static_cast<std::size_t>(bytes));
   const std::string title = fs::weakly_canonical(folder).filename();
-  const std::string html = ReportHtml(title, *results, maps);
+  const StatusOr<std::vector<ConfigFigure>> figures = ReadConfigFigures(folder);
+  if (!figures.ok()) return figures.status();
+  const std::string html = ReportHtml(title, *results, maps, *figures);
   if (Status s = WriteFileAtomically(page.string(), html); !s.ok()) return s;
   fs::path stem = page;
   if (Status s = WriteTable(stem.replace_extension(), RunTable(results->runs)); !s.ok()) return s;
@@ -60,8 +64,13 @@ Status WriteReport(const std::string& folder, const fs::path& page) {
   if (Status s = WriteTable(convergence, ConvergenceTable(results->runs)); !s.ok()) return s;
   fmt::print("report: {} ({} runs, {} maps, {:.1f} MB)\n", page.string(), results->runs.size(),
              maps.keys.size(), static_cast<double>(html.size()) / kMegabyte);
-  return FLAGS_pdf ? DrawPaperFigures(stem.string() + ".json", convergence.string() + ".json")
-                   : Status();
+  const std::string points = (page.parent_path() / "report_figures.json").string();
+  if (Status s = WriteFileAtomically(points, ConfigFiguresJson(*figures, results->runs)); !s.ok()) {
+    return s;
+  }
+  return FLAGS_pdf
+             ? DrawPaperFigures(stem.string() + ".json", convergence.string() + ".json", points)
+             : Status();
 }
 
 int Main(int argc, char** argv) {

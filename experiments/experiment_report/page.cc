@@ -44,13 +44,15 @@ std::string Script(const std::string& attributes, const std::string& content) {
   return "<script" + attributes + ">" + content + "</script>\n";
 }
 
-std::string Body(const std::string& title, const Results& results, const ShownMaps& maps) {
+std::string Body(const std::string& title, const Results& results, const ShownMaps& maps,
+                 const std::vector<ConfigFigure>& figures) {
   const std::string failures = FailuresHtml(results.runs);
   std::string html = "<header><h1>" + Escape(title) + "</h1>" + Navigation(!failures.empty()) +
                      "</header>\n<main>\n";
   html += Section("summary", "Summary", SummaryHtml(results));
   html += Section("figures", "Figures",
-                  "<div class=\"charts\">" + FiguresHtml(results.runs) + "</div>\n");
+                  "<div class=\"charts\">" + ConfigFiguresHtml(figures, results.runs) +
+                      FiguresHtml(results.runs) + "</div>\n");
   html += Section("maps", "Maps", MapsHtml(maps));
   html += Section("table", "Runs", RunsHtml(results.runs, maps.keys));
   if (!failures.empty()) html += Section("failures", "Without a map", failures);
@@ -93,7 +95,8 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
   return maps;
 }
 
-std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps) {
+std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps,
+                       const std::vector<ConfigFigure>& figures) {
   const nlohmann::json data = {{"views", maps.views}, {"scales", ColourScales()}};
   const std::string json = data.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   std::string html =
@@ -103,7 +106,7 @@ std::string ReportHtml(const std::string& title, const Results& results, const S
       "<link rel=\"icon\" href=\"data:,\">\n";
   html +=
       "<title>" + Escape(title) + "</title>\n<style>" + std::string(kStyle) + "</style></head>\n";
-  html += "<body>\n" + Body(title, results, maps);
+  html += "<body>\n" + Body(title, results, maps, figures);
   html += Script(" type=\"application/json\" id=\"data\"", EscapeJson(json));
   html += Script("", std::string(kTableScript));
   if (!maps.keys.empty()) html += Script(" type=\"module\"", std::string(kViewerScript));

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/experiment_report/config_figures.h"
 #include "experiments/experiment_report/runs.h"
 
 namespace cirque::experiment_report {
@@ -21,7 +22,9 @@ struct ShownMaps {
 ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
                       std::size_t most_bytes);
 
-/// The whole report as one HTML document that needs nothing else.
-std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps);
+/// The whole report as one HTML document that needs nothing else. The figures that the config asks
+/// for come before those that every report has.
+std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps,
+                       const std::vector<ConfigFigure>& figures = {});
 
 }  // namespace cirque::experiment_report

@@ -30,13 +30,14 @@ int Run(std::vector<std::string> words) {
 
 }  // namespace
 
-Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json) {
+Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json,
+                        const std::string& figures_json) {
   std::fflush(stdout);  // what it prints comes after our lines
   // Another Python than the system's may come first in PATH, without the system's packages.
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
     if (Run({python, "-c", kLooksForMatplotlib}) != 0) continue;
     const int status =
-        Run({python, "-c", std::string(kFiguresScript), runs_json, convergence_json});
+        Run({python, "-c", std::string(kFiguresScript), runs_json, convergence_json, figures_json});
     if (status == 0) return Status();
     return Status::InvalidInput("--pdf: " + python + " could not draw, for the reason above");
   }

@@ -58,8 +58,9 @@ std::string Started(const Run& run) { return TextAt(run.record, "/provenance/sta
 /// What a run is of, whichever code made it: the record without what came out.
 std::string Identity(const Run& run) {
   json cell = run.record;
-  for (const char* name : {"key", "outcome", "message", "overlap", "values", "seconds", "history",
-                           "map", "provenance", "peak_memory_mib", "limits"}) {
+  for (const char* name :
+       {"key", "outcome", "message", "overlap", "values", "seconds", "history", "map", "provenance",
+        "peak_memory_mib", "cpu_seconds", "map_cpu_seconds", "reference", "limits"}) {
     cell.erase(name);
   }
   cell["mesh"] = {run.mesh, run.mesh_hash};

@@ -9,13 +9,6 @@
 namespace cirque {
 namespace {
 
-/// One value or a list of them; nothing where the key is not given.
-std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
-  if (!value) return {};
-  if (value.IsScalar()) return {value};
-  return {value.begin(), value.end()};
-}
-
 std::vector<std::string> ReadMeasures(const YAML::Node& value, Diagnostics* problems) {
   std::vector<std::string> names;
   for (const YAML::Node& item : ItemsOf(value)) {
@@ -58,6 +51,12 @@ void CheckPatterns(const YAML::Node& document, const std::vector<Cell>& cells,
 
 }  // namespace
 
+std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
+  if (!value) return {};
+  if (value.IsScalar()) return {value};
+  return {value.begin(), value.end()};
+}
+
 void ApplyCellSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
                        ExperimentConfig* config) {
   std::vector<Cell>& cells = config->cells;
@@ -72,10 +71,12 @@ void ApplyCellSettings(const YAML::Node& document, bool some_skipped, Diagnostic
   const RunLimits limits = {NumberOrZero(document["time_limit"]),
                             NumberOrZero(document["memory_limit"])};
   const auto keep = ItemsOf(document["keep_maps"]);
+  const bool reference = document["reference"] && document["reference"].Scalar() == "true";
   for (Cell& cell : cells) {
     cell.measures = measures;
     cell.limits = limits;
     cell.keep_map = IsNamed(keep, cell);
+    cell.reference = reference;
   }
 }
 

@@ -7,10 +7,12 @@
 namespace cirque {
 
 std::string MeshSpec::Source() const {
-  if (!file.empty()) return file;
-  if (!archive.empty()) return archive + ":" + member;
-  return fmt::format("{} triangles={} seed={}{}", generator, generator_options.triangles,
-                     generator_options.seed, known_boundary ? " boundary=known_map" : "");
+  const std::string fineness =
+      subdivisions == 0 ? "" : fmt::format(" subdivisions={}", subdivisions);
+  if (!file.empty()) return file + fineness;
+  if (!archive.empty()) return archive + ":" + member + fineness;
+  return fmt::format("{} triangles={} seed={}{}{}", generator, generator_options.triangles,
+                     generator_options.seed, known_boundary ? " boundary=known_map" : "", fineness);
 }
 
 std::string Cell::Label() const {

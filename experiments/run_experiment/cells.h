@@ -16,6 +16,8 @@ struct MeshSpec {
   std::string generator;
   GeneratorOptions generator_options;
   bool known_boundary = false;  ///< boundary angles as in the generator's known conformal map
+  std::string family = {};      ///< the name before triangles, seed and subdivisions are added
+  int subdivisions = 0;         ///< every triangle split into four at midpoints so often
 
   /// The source in one line, as records show it.
   std::string Source() const;
@@ -24,6 +26,7 @@ struct MeshSpec {
 struct MethodSpec {
   std::string name;  ///< unique within a config
   ParameterizeOptions options;
+  std::string domain = "plane";  ///< a name of DomainNames()
 };
 
 /// What a run may take before it is ended; 0: anything.
@@ -39,7 +42,8 @@ struct Cell {
   int repeat = 0;
   std::vector<std::string> measures = {};  ///< further figures of the map, as the config lists them
   RunLimits limits = {};
-  bool keep_map = false;  ///< whether the mesh with its map is written to maps/
+  bool keep_map = false;   ///< whether the mesh with its map is written to maps/
+  bool reference = false;  ///< whether the reference factorization is timed beside the run
 
   /// "mesh/method", and "#2" for a second repeat: what `--only` searches and `--dry_run` lists.
   std::string Label() const;

@@ -22,6 +22,7 @@ std::vector<Column> FixedColumns() {
       {"vertices", "/mesh/vertices", "", ""},
       {"triangles", "/mesh/triangles", "triangles", ""},
       {"method", "/method/name", "method", ""},
+      {"domain", "/method/domain", "", ""},
   };
   for (const MethodField& field : MethodFields()) {
     columns.push_back({field.name, "/method/" + field.name, "", ""});
@@ -31,6 +32,10 @@ std::vector<Column> FixedColumns() {
       {"outcome", "/outcome", "outcome", ""},
       {"message", "/message", "", ""},
       {"seconds_total", "/seconds/total", "time [s]", "{:.2f}"},
+      {"cpu_seconds", "/cpu_seconds", "", ""},
+      {"map_cpu_seconds", "/map_cpu_seconds", "", ""},
+      {"reference_seconds", "/reference/seconds", "", ""},
+      {"reference_cpu_seconds", "/reference/cpu_seconds", "", ""},
       {"peak_memory_mib", "/peak_memory_mib", "", ""},
       {"overlap", "/overlap", "overlap", ""},
       {"smallest_angle", "/values/smallest_angle", "min angle", "{:.2e}"},

@@ -1,20 +1,20 @@
 #include "experiments/run_experiment/config.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 
 #include <fmt/format.h>
-#include <glog/logging.h>
 #include <yaml-cpp/yaml.h>
 
 #include "experiments/run_experiment/cell_settings.h"
 #include "experiments/run_experiment/content_hash.h"
 #include "experiments/run_experiment/diagnostics.h"
+#include "experiments/run_experiment/figure_entries.h"
 #include "experiments/run_experiment/matrix.h"
 #include "experiments/run_experiment/mesh_entries.h"
-#include "experiments/run_experiment/method_fields.h"
+#include "experiments/run_experiment/method_entries.h"
 #include "experiments/run_experiment/scalars.h"
 #include "experiments/run_experiment/validate.h"
 
@@ -68,38 +68,32 @@ bool IsExpandable(const YAML::Node& document, Diagnostics* problems) {
   return expandable;
 }
 
-const MethodField& FindMethodField(const std::string& name) {
-  for (const MethodField& field : MethodFields()) {
-    if (field.name == name) return field;
-  }
-  LOG(FATAL) << "no field of ParameterizeOptions is named " << name;
-}
-
-std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problems) {
-  std::vector<MethodSpec> methods;
-  std::map<std::string, Place> first_of_name;
-  for (const YAML::Node& entry : list) {
-    const YAML::Node name = entry["name"];
-    const auto [first, is_new] = first_of_name.emplace(name.Scalar(), PlaceOf(name));
-    if (!is_new) {
-      problems->Add(PlaceOf(name), fmt::format("two methods are named '{}' (first on line {})",
-                                               name.Scalar(), first->second.line));
-    }
-    for (const Combination& combination : Combine(AxesOf(entry, ConfigSchema(), "methods"))) {
-      MethodSpec method{name.Scalar(), {}};
-      for (const auto& [key, value, varies] : combination.settings) {
-        SetField(FindMethodField(key), value, &method.options);
-        if (varies) method.name += fmt::format(",{}={}", key, value);
-      }
-      methods.push_back(method);
-    }
-  }
-  return methods;
-}
-
 std::string TextOr(const YAML::Node& document, const char* key, const std::string& otherwise) {
   const YAML::Node value = document[key];
   return value ? value.Scalar() : otherwise;
+}
+
+/// The list `seeds`, checked where it stands.
+std::vector<std::string> ReadSeeds(const YAML::Node& value, const YAML::Node& meshes,
+                                   Diagnostics* problems) {
+  if (!value) return {};
+  std::vector<std::string> seeds;
+  for (const YAML::Node& item : ItemsOf(value)) {
+    if (std::find(seeds.begin(), seeds.end(), item.Scalar()) != seeds.end()) {
+      problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
+      continue;
+    }
+    seeds.push_back(item.Scalar());
+  }
+  const bool some_generated =
+      meshes && meshes.IsSequence() &&
+      std::any_of(meshes.begin(), meshes.end(),
+                  [](const YAML::Node& entry) { return entry.IsMap() && entry["generator"]; });
+  if (!some_generated) {
+    problems->Add(PlaceOf(value),
+                  "'seeds' has a meaning for generated meshes only: nothing here is random");
+  }
+  return seeds;
 }
 
 void CheckCells(const ExperimentConfig& config, Diagnostics* problems) {
@@ -117,8 +111,10 @@ void CheckCells(const ExperimentConfig& config, Diagnostics* problems) {
 
 void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* config) {
   const std::string root = RootOf(config->path);
-  MeshEntries entries = ResolveMeshes(document["meshes"], root, problems);
+  const auto seeds = ReadSeeds(document["seeds"], document["meshes"], problems);
+  MeshEntries entries = ResolveMeshes(document["meshes"], root, seeds, problems);
   if (!problems->empty()) return;
+  config->figures = ReadFigures(document["figures"], problems);
   const std::vector<MethodSpec> methods = ReadMethods(document["methods"], problems);
   const int repeats = static_cast<int>(*ParseInteger(TextOr(document, "repeats", "1")));
   const double count = static_cast<double>(entries.meshes.size() * methods.size()) * repeats;
@@ -131,7 +127,7 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();
   if (problems->empty()) CheckCells(*config, problems);
-  if (problems->empty()) ApplyCellSettings(document, !config->notes.empty(), problems, config);
+  if (problems->empty()) ApplyCellSettings(document, entries.some_skipped, problems, config);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "cirque/core/status.h"
 
 #include "experiments/run_experiment/cells.h"
@@ -16,8 +18,9 @@ struct ExperimentConfig {
   std::string hash;  ///< of the file's content
   std::string question;
   std::vector<Cell> cells;
-  std::string output;              ///< absolute folder
-  std::vector<std::string> notes;  ///< what was left out, and why
+  nlohmann::json figures = nlohmann::json::array();  ///< as ReadFigures makes them
+  std::string output;                                ///< absolute folder
+  std::vector<std::string> notes;                    ///< what was left out, and why
 };
 
 /// Reads and checks a config. The message of a failure lists every problem as

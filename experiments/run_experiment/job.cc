@@ -21,7 +21,7 @@ RunResult RunCaught(const Job& job, const RunCell& run_cell) {
     result.certificate.outcome = kException;
     result.certificate.message = error.what();
   }
-  result.certificate.seconds["total"] = timer.Seconds();
+  result.certificate.seconds["total"] = result.seconds > 0 ? result.seconds : timer.Seconds();
   return result;
 }
 

@@ -10,22 +10,24 @@ namespace {
 // one more does not compile until it is sent along.
 
 nlohmann::json MeshToJson(const MeshSpec& mesh) {
-  const auto& [name, file, archive, member, generator, options, known_boundary] = mesh;
+  const auto& [name, file, archive, member, generator, options, known_boundary, family,
+               subdivisions] = mesh;
   const auto& [triangles, seed] = options;
   return {{"name", name},           {"file", file},
           {"archive", archive},     {"member", member},
           {"generator", generator}, {"triangles", triangles},
-          {"seed", seed},           {"known_boundary", known_boundary}};
+          {"seed", seed},           {"known_boundary", known_boundary},
+          {"family", family},       {"subdivisions", subdivisions}};
 }
 
 MeshSpec MeshFromJson(const nlohmann::json& json) {
-  return {json.at("name"),          json.at("file"),      json.at("archive"),
-          json.at("member"),        json.at("generator"), {json.at("triangles"), json.at("seed")},
-          json.at("known_boundary")};
+  return {json.at("name"),           json.at("file"),      json.at("archive"),
+          json.at("member"),         json.at("generator"), {json.at("triangles"), json.at("seed")},
+          json.at("known_boundary"), json.at("family"),    json.at("subdivisions")};
 }
 
 MethodSpec MethodFromJson(const nlohmann::json& json) {
-  MethodSpec method{json.at("name"), {}};
+  MethodSpec method{json.at("name"), {}, json.at("domain")};
   for (const MethodField& field : MethodFields()) {
     const nlohmann::json& value = json.at(field.name);
     SetField(field, value.is_string() ? value.get<std::string>() : value.dump(), &method.options);
@@ -34,11 +36,11 @@ MethodSpec MethodFromJson(const nlohmann::json& json) {
 }
 
 nlohmann::json CellToJson(const Cell& cell) {
-  const auto& [mesh, method, repeat, measures, limits, keep_map] = cell;
+  const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = cell;
   const auto& [seconds, memory_mib] = limits;
   return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
           {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
-          {"keep_map", keep_map}};
+          {"keep_map", keep_map},     {"reference", reference}};
 }
 
 Cell CellFromJson(const nlohmann::json& json) {
@@ -47,7 +49,8 @@ Cell CellFromJson(const nlohmann::json& json) {
           json.at("repeat"),
           json.at("measures"),
           {json.at("seconds"), json.at("memory_mib")},
-          json.at("keep_map")};
+          json.at("keep_map"),
+          json.at("reference")};
 }
 
 }  // namespace

@@ -43,10 +43,16 @@ std::vector<std::string> MatchFiles(const std::string& pattern) {
   return files;
 }
 
+/// A text that the schema has refused says nothing.
+void Subdivide(const std::string& text, MeshSpec* mesh) {
+  mesh->subdivisions = static_cast<int>(ParseInteger(text).value_or(0));
+  if (mesh->subdivisions > 0) mesh->name += fmt::format("-sub{}", mesh->subdivisions);
+}
+
 class Resolver {
  public:
-  Resolver(std::string root, Diagnostics* problems)
-      : root_(std::move(root)), problems_(*problems) {}
+  Resolver(std::string root, std::vector<std::string> seeds, Diagnostics* problems)
+      : root_(std::move(root)), seeds_(std::move(seeds)), problems_(*problems) {}
 
   void Add(const YAML::Node& entry);
   MeshEntries Take() { return std::move(result_); }
@@ -56,9 +62,13 @@ class Resolver {
   void AddMember(const YAML::Node& entry);
   void AddGenerated(const YAML::Node& entry);
   void AddMissing(const YAML::Node& entry, const YAML::Node& value, const std::string& path);
+  void AddFinenesses(const MeshSpec& mesh, const YAML::Node& entry);
   void AddMesh(MeshSpec mesh, const YAML::Node& entry);
+  void NoteWithoutSeeds(const YAML::Node& entry);
+  std::vector<Axis> GeneratorAxes(const YAML::Node& entry);
 
   std::string root_;
+  std::vector<std::string> seeds_;
   Diagnostics& problems_;
   std::map<std::string, Place> first_of_name_;
   MeshEntries result_;
@@ -82,8 +92,10 @@ void Resolver::AddFiles(const YAML::Node& entry) {
     if (files.size() > 1 && !name.empty())
       mesh.name += fmt::format("-{}", fs::path(file).stem().string());
     mesh.file = file;
-    AddMesh(std::move(mesh), entry);
+    mesh.family = mesh.name;
+    AddFinenesses(mesh, entry);
   }
+  NoteWithoutSeeds(entry);
 }
 
 void Resolver::AddMember(const YAML::Node& entry) {
@@ -91,7 +103,7 @@ void Resolver::AddMember(const YAML::Node& entry) {
   mesh.archive = Absolute(root_, TextOf(entry, "archive"));
   mesh.member = TextOf(entry, "member");
   const std::string name = TextOf(entry, "name");
-  mesh.name = name.empty() ? fs::path(mesh.member).stem().string() : name;
+  mesh.family = mesh.name = name.empty() ? fs::path(mesh.member).stem().string() : name;
   std::error_code error;
   if (!fs::is_regular_file(mesh.archive, error)) {
     return AddMissing(entry, entry["archive"], mesh.archive);
@@ -99,16 +111,50 @@ void Resolver::AddMember(const YAML::Node& entry) {
   if (const Status status = FindArchiveMember(mesh.archive, mesh.member); !status.ok()) {
     return problems_.Add(PlaceOf(entry["member"]), status.message());
   }
-  AddMesh(std::move(mesh), entry);
+  AddFinenesses(mesh, entry);
+  NoteWithoutSeeds(entry);
+}
+
+/// The mesh with every number of subdivisions that the entry lists.
+void Resolver::AddFinenesses(const MeshSpec& mesh, const YAML::Node& entry) {
+  std::vector<Axis> axes = AxesOf(entry, ConfigSchema(), "meshes");
+  std::erase_if(axes, [](const Axis& axis) { return axis.key != "subdivisions"; });
+  for (const Combination& combination : Combine(axes)) {
+    MeshSpec fine = mesh;
+    for (const auto& setting : combination.settings) Subdivide(setting.value, &fine);
+    AddMesh(std::move(fine), entry);
+  }
+}
+
+void Resolver::NoteWithoutSeeds(const YAML::Node& entry) {
+  if (seeds_.empty()) return;
+  result_.notes.push_back(
+      fmt::format("{}: run without seeds: nothing of a mesh that is not "
+                  "generated is random",
+                  problems_.Locate(PlaceOf(entry))));
+}
+
+/// Those of the entry, with the seeds that hold for all.
+std::vector<Axis> Resolver::GeneratorAxes(const YAML::Node& entry) {
+  std::vector<Axis> axes = AxesOf(entry, ConfigSchema(), "meshes");
+  if (seeds_.empty()) return axes;
+  if (const YAML::Node own = entry["seed"]) {
+    problems_.Add(PlaceOf(own),
+                  "'seeds' makes every generated mesh with its own seeds: remove one "
+                  "of 'seed' and 'seeds'");
+    return axes;
+  }
+  axes.push_back({"seed", seeds_});
+  return axes;
 }
 
 void Resolver::AddGenerated(const YAML::Node& entry) {
-  const std::vector<Axis> axes = AxesOf(entry, ConfigSchema(), "meshes");
+  const std::vector<Axis> axes = GeneratorAxes(entry);
   const std::string name = TextOf(entry, "name");
   for (const Combination& combination : Combine(axes)) {
     MeshSpec mesh;
     mesh.generator = TextOf(entry, "generator");
-    mesh.name = name.empty() ? mesh.generator : name;
+    mesh.family = mesh.name = name.empty() ? mesh.generator : name;
     for (const auto& [key, text, varies] : combination.settings) {
       if (key == "boundary") {
         mesh.known_boundary = text == "known_map";
@@ -119,6 +165,10 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
         if (varies || mesh.known_boundary) mesh.name += "-" + text;
         continue;
       }
+      if (key == "subdivisions") {
+        Subdivide(text, &mesh);
+        continue;
+      }
       const std::optional<long long> value = ParseInteger(text);
       if (!value) return;  // The schema has refused it.
       if (key == "triangles") mesh.generator_options.triangles = static_cast<Index>(*value);
@@ -126,6 +176,11 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
       if (varies || name.empty()) {
         mesh.name += fmt::format("-{}{}", key == "seed" ? "s" : "", text);
       }
+    }
+    if (mesh.known_boundary && mesh.subdivisions > 0) {
+      problems_.Add(PlaceOf(entry["subdivisions"]),
+                    "midpoints do not lie on the smooth surface, so that no conformal map of them "
+                    "is known: leave out 'boundary: known_map'");
     }
     AddMesh(std::move(mesh), entry);
   }
@@ -137,6 +192,7 @@ void Resolver::AddMissing(const YAML::Node& entry, const YAML::Node& value,
   const std::string what =
       fmt::format("{} '{}'", is_pattern ? "no file matches" : "there is no file", path);
   if (TextOf(entry, "optional") == "true") {
+    result_.some_skipped = true;
     result_.notes.push_back(fmt::format("{}: skipped, {}", problems_.Locate(PlaceOf(value)), what));
   } else {
     problems_.Add(PlaceOf(value), what + "; put it there, or skip it with 'optional: true'");
@@ -156,8 +212,9 @@ void Resolver::AddMesh(MeshSpec mesh, const YAML::Node& entry) {
 
 }  // namespace
 
-MeshEntries ResolveMeshes(const YAML::Node& list, const std::string& root, Diagnostics* problems) {
-  Resolver resolver(root, problems);
+MeshEntries ResolveMeshes(const YAML::Node& list, const std::string& root,
+                          const std::vector<std::string>& seeds, Diagnostics* problems) {
+  Resolver resolver(root, seeds, problems);
   if (list && list.IsSequence()) {
     for (const YAML::Node& entry : list) resolver.Add(entry);
   }

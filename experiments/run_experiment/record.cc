@@ -47,7 +47,7 @@ bool IsRaised(const Record& record, const char* name, double limit) {
 }  // namespace
 
 nlohmann::json MethodJson(const MethodSpec& method) {
-  nlohmann::json json = {{"name", method.name}};
+  nlohmann::json json = {{"name", method.name}, {"domain", method.domain}};
   for (const MethodField& field : MethodFields()) {
     json[field.name] = FieldValue(field, method.options);
   }
@@ -62,6 +62,8 @@ std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohman
                                   {"repeat", cell.repeat},
                                   {"code", code_version}};
   if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
+  if (cell.mesh.subdivisions > 0) determined_by["subdivisions"] = cell.mesh.subdivisions;
+  if (cell.reference) determined_by["reference"] = true;
   return HashOf(ToLine(determined_by));
 }
 
@@ -71,6 +73,7 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"key", key},
       {"mesh",
        {{"name", cell.mesh.name},
+        {"family", cell.mesh.family},
         {"source", cell.mesh.Source()},
         {"hash", mesh.hash},
         {"vertices", result.vertices},
@@ -85,6 +88,15 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"provenance", provenance},
   };
   if (!cell.measures.empty()) record["measures"] = cell.measures;
+  if (result.cpu_seconds > 0) {
+    record["cpu_seconds"] = result.cpu_seconds;
+    record["map_cpu_seconds"] = result.map_cpu_seconds;
+  }
+  if (result.peak_memory_mib > 0) record["peak_memory_mib"] = result.peak_memory_mib;
+  if (cell.reference && result.reference.seconds > 0) {
+    record["reference"] = {{"seconds", result.reference.seconds},
+                           {"cpu_seconds", result.reference.cpu_seconds}};
+  }
   if (!result.certificate.history.empty()) {
     record["history"] = HistoryJson(result.certificate.history);
   }

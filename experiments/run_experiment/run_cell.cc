@@ -1,64 +1,96 @@
 #include "experiments/run_experiment/run_cell.h"
 
+#include <utility>
+
 #include "cirque/core/timer.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/metrics/measure_map.h"
+#include "cirque/mesh/subdivision.h"
 
-#include "experiments/run_experiment/known_map.h"
+#include "experiments/common/resource_use.h"
+#include "experiments/run_experiment/map_cell.h"
 
 namespace cirque {
 namespace {
 
-StatusOr<PolygonSoup> MakeSoup(const MeshSpec& mesh, const std::string& path) {
+constexpr int kReferenceRepeats = 3;
+
+StatusOr<PolygonSoup> ReadSoup(const MeshSpec& mesh, const std::string& path) {
   if (mesh.generator.empty()) return ReadMesh(path);
   const StatusOr<MeshGenerator> generator = MeshGenerators().Find(mesh.generator);
   if (!generator.ok()) return generator.status();
   return (*generator)(mesh.generator_options);
 }
 
-Status Parameterize(const Cell& cell, const Surface& surface, Parameterization* result) {
-  const ParameterizeOptions& options = cell.method.options;
-  if (!cell.mesh.known_boundary) {
-    return ParameterizeWithCones(surface, nullptr, options, SolveControl(), result);
+/// The surface's own triangles: those of a mesh that the preflight lets pass.
+PolygonSoup TrianglesOf(const Surface& surface) {
+  PolygonSoup soup;
+  soup.position = surface.position;
+  soup.corner = surface.triangulation.vertex;
+  for (Index f = 1; f <= surface.triangulation.num_faces(); ++f) {
+    soup.first_corner.push_back(3 * f);
   }
-  const StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
-  if (!targets.ok()) return targets.status();
-  return cirque::Parameterize(surface, *targets, nullptr, options, SolveControl(), result);
+  return soup;
+}
+
+/// What was read, and the surface it is.
+struct Input {
+  PolygonSoup soup;
+  Surface surface;
+};
+
+/// The input's surface, and its size in the result whatever the status.
+StatusOr<Surface> Check(const PolygonSoup& soup, RunResult* result) {
+  PreflightReport report;
+  StatusOr<Surface> surface = Preflight(soup, &report);
+  result->vertices = report.num_vertices;
+  result->triangles = report.num_triangles;
+  return surface;
+}
+
+StatusOr<Input> ReadInput(const MeshSpec& mesh, const std::string& path, RunResult* result) {
+  auto& seconds = result->certificate.seconds;
+  const Timer read_timer;
+  StatusOr<PolygonSoup> soup = ReadSoup(mesh, path);
+  seconds["read"] = read_timer.Seconds();
+  if (!soup.ok()) return soup.status();
+  const Timer preflight_timer;
+  StatusOr<Surface> surface = Check(*soup, result);
+  seconds["preflight"] = preflight_timer.Seconds();
+  if (!surface.ok()) return surface.status();
+  if (mesh.subdivisions > 0) {
+    const Timer timer;
+    *soup = MidpointSubdivision(TrianglesOf(*surface), mesh.subdivisions);
+    surface = Check(*soup, result);
+    seconds["subdivide"] = timer.Seconds();
+    if (!surface.ok()) return surface.status();
+  }
+  return Input{*std::move(soup), *std::move(surface)};
+}
+
+/// The fastest of a few: the first pays for the memory.
+ReferenceFactorization TimeReference(const Surface& surface) {
+  ReferenceFactorization best = TimeReferenceFactorization(surface);
+  for (int i = 1; i < kReferenceRepeats; ++i) {
+    const ReferenceFactorization again = TimeReferenceFactorization(surface);
+    if (again.cpu_seconds < best.cpu_seconds) best = again;
+  }
+  return best;
 }
 
 Status Run(const Cell& cell, const std::string& path, RunResult* result) {
-  auto& seconds = result->certificate.seconds;
-  const Timer read_timer;
-  const StatusOr<PolygonSoup> soup = MakeSoup(cell.mesh, path);
-  seconds["read"] = read_timer.Seconds();
-  if (!soup.ok()) return soup.status();
-
-  const Timer preflight_timer;
-  PreflightReport report;
-  const StatusOr<Surface> surface = Preflight(*soup, &report);
-  seconds["preflight"] = preflight_timer.Seconds();
-  result->vertices = report.num_vertices;
-  result->triangles = report.num_triangles;
-  if (!surface.ok()) return surface.status();
-
-  Parameterization parameterization;
-  const Status status = Parameterize(cell, *surface, &parameterization);
-  parameterization.certificate.seconds.merge(seconds);
-  result->certificate = std::move(parameterization.certificate);
-  if (status.ok() && !cell.measures.empty()) {
-    auto figures = MeasureFigures(surface->triangulation, MeasureEdgeLengths(*surface),
-                                  parameterization.uv, cell.measures);
-    if (!figures.ok()) return figures.status();
-    result->certificate.values.merge(*figures);
-  }
-  // A closed surface's known map has periods: it is known up to more than a similarity.
-  if (status.ok() && !BoundaryLoops(surface->triangulation).empty()) {
-    result->certificate.values.merge(KnownMapErrors(cell.mesh, *surface, parameterization.uv));
-  }
-  if (status.ok() && cell.keep_map) {
-    result->map = AttachUv(*soup, *surface, parameterization.uv);
-  }
+  const Timer timer;
+  const double cpu_before = ProcessCpuSeconds();
+  const StatusOr<Input> input = ReadInput(cell.mesh, path, result);
+  const double cpu_at_map = ProcessCpuSeconds();
+  const Status status =
+      input.ok() ? MapCell(cell, input->soup, input->surface, result) : input.status();
+  const double cpu_after = ProcessCpuSeconds();
+  result->seconds = timer.Seconds();
+  result->cpu_seconds = cpu_after - cpu_before;
+  result->map_cpu_seconds = cpu_after - cpu_at_map;
+  result->peak_memory_mib = PeakMemoryMib();
+  if (cell.reference && input.ok()) result->reference = TimeReference(input->surface);
   return status;
 }
 

@@ -147,6 +147,9 @@ StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::ve
   if (error) return Status::InvalidInput(folder.string() + ": cannot create: " + error.message());
   StatusOr<ResultsLog> log = ResultsLog::Open(folder.string(), options.shard);
   if (!log.ok()) return log.status();
+  const std::string figures =
+      config.figures.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (Status s = WriteFileAtomically(folder / "figures.json", figures + "\n"); !s.ok()) return s;
   const bool is_whole = options.shard.IsWhole();
   if (Status s = is_whole ? log->Merge() : Status(); !s.ok()) return s;
 

@@ -37,7 +37,8 @@ struct RunSummary {
 };
 
 /// Makes the runs of the shard's `cells` that config.output does not hold yet and writes there:
-/// results.jsonl or the shard's own file (a line as soon as a run ends) and what CarryOut writes.
+/// results.jsonl or the shard's own file (a line as soon as a run ends), what CarryOut writes, and
+/// figures.json, the figures that the config asks the report for.
 /// Without a shard also results.csv, and the shards' records are taken into results.jsonl first.
 StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::vector<Cell>& cells,
                                    const RunnerOptions& options, const RunCell& run_cell);

@@ -6,12 +6,16 @@
 #include "cirque/mesh/generators.h"
 #include "cirque/metrics/measure_map.h"
 
+#include "experiments/common/domain_table.h"
+#include "experiments/run_experiment/cells.h"
 #include "experiments/run_experiment/method_fields.h"
+#include "experiments/run_experiment/quantities.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kMaxSeed = 4294967295.0;
+constexpr double kMaxSubdivisions = 12;  // 16 million times as many triangles
 
 FieldKind KindOf(const MethodField& field) {
   constexpr FieldKind kKinds[] = {FieldKind::kText, FieldKind::kNumber, FieldKind::kInteger};
@@ -38,40 +42,11 @@ SchemaField ForMethod(const MethodField& field) {
   return row;
 }
 
-/// Which runs are made, and within what limits.
-Schema CellFields() {
-  using enum FieldKind;
-  return {
-      {.path = "include",
-       .help = "makes only the runs named MESH/METHOD by one of these patterns (* ? [...])",
-       .default_text = "*",
-       .list = true},
-      {.path = "exclude", .help = "leaves out the runs named by one of these", .list = true},
-      {.path = "time_limit",
-       .kind = kNumber,
-       .help = "wall time [s] after which a run is ended; raised, it is made again",
-       .default_text = "none",
-       .minimum = 1e-3,
-       .maximum = 1e7},
-      {.path = "memory_limit",
-       .kind = kNumber,
-       .help = "resident memory [MiB] at which a run is ended; raised, it is made again",
-       .default_text = "none",
-       .minimum = 1,
-       .maximum = 1e8},
-      {.path = "keep_maps",
-       .help = "writes maps/KEY.obj, the mesh with its map: true, false or names of runs as above",
-       .default_text = "false",
-       .list = true},
-  };
-}
-
-Schema MakeSchema() {
+/// The entries of `meshes`.
+Schema MeshFields() {
   using enum FieldKind;
   const GeneratorOptions generator;
-  Schema schema = {
-      {.path = "question", .help = "what the experiment asks, in one sentence", .required = true},
-      {.path = "meshes", .kind = kSections, .help = "the surfaces", .required = true},
+  return {
       {.path = "meshes.file",
        .help = "a mesh file or a pattern such as ../meshes/*.obj",
        .one_of = "source"},
@@ -108,34 +83,131 @@ Schema MakeSchema() {
        .matrix = true,
        .choices = {"free", "known_map"},
        .beside = {"generator"}},
+      {.path = "meshes.subdivisions",
+       .kind = kInteger,
+       .help = "how often every triangle is split into four at the midpoints of its edges",
+       .default_text = "0",
+       .matrix = true,
+       .minimum = 0,
+       .maximum = kMaxSubdivisions},
       {.path = "meshes.name", .help = "its name in tables, if not the file's or the generator's"},
       {.path = "meshes.optional",
        .kind = kBoolean,
        .help = "whether the mesh is skipped where its file does not exist",
        .default_text = "false",
        .beside = {"file", "archive"}},
-      {.path = "methods",
-       .kind = kSections,
-       .help = "how each surface is parameterized",
-       .required = true},
-      {.path = "methods.name", .help = "its name in tables", .required = true},
   };
+}
+
+/// The entries of `methods`.
+Schema MethodSchema() {
+  Schema schema = {{.path = "methods.name", .help = "its name in tables", .required = true},
+                   {.path = "methods.domain",
+                    .help = "what surfaces are mapped to; vertices that a shape needs are chosen",
+                    .default_text = MethodSpec().domain,
+                    .matrix = true,
+                    .choices = DomainNames()}};
   for (const MethodField& field : MethodFields()) schema.push_back(ForMethod(field));
-  schema.push_back({.path = "repeats",
-                    .kind = kInteger,
-                    .help = "how often every mesh meets every method",
-                    .default_text = "1",
-                    .minimum = 1,
-                    .maximum = 1000});
-  const std::vector<SchemaField> cells = CellFields();
-  schema.insert(schema.end(), cells.begin(), cells.end());
-  schema.push_back({.path = "measures",
-                    .help = "further figures of every map: columns of the results",
-                    .list = true,
-                    .choices = FigureNames()});
-  schema.push_back({.path = "output",
-                    .help = "the folder of the results",
-                    .default_text = "results/runs/NAME-OF-THE-CONFIG"});
+  return schema;
+}
+
+/// Which runs are made, within what limits, and what is kept of them.
+Schema RunFields() {
+  using enum FieldKind;
+  return {
+      {.path = "repeats",
+       .kind = kInteger,
+       .help = "how often every mesh meets every method",
+       .default_text = "1",
+       .minimum = 1,
+       .maximum = 1000},
+      {.path = "seeds",
+       .kind = kInteger,
+       .help = "generated meshes are made with each of these seeds: runs that differ by what is "
+               "random, the places of the vertices",
+       .list = true,
+       .minimum = 0,
+       .maximum = kMaxSeed},
+      {.path = "include",
+       .help = "makes only the runs named MESH/METHOD by one of these patterns (* ? [...])",
+       .default_text = "*",
+       .list = true},
+      {.path = "exclude", .help = "leaves out the runs named by one of these", .list = true},
+      {.path = "time_limit",
+       .kind = kNumber,
+       .help = "wall time [s] after which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1e-3,
+       .maximum = 1e7},
+      {.path = "memory_limit",
+       .kind = kNumber,
+       .help = "resident memory [MiB] at which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1,
+       .maximum = 1e8},
+      {.path = "keep_maps",
+       .help = "writes maps/KEY.obj, the mesh with its map: true, false or names of runs as above",
+       .default_text = "false",
+       .list = true},
+      {.path = "reference",
+       .kind = kBoolean,
+       .help = "whether every run also times one factorization of its mesh's cotangent Laplacian",
+       .default_text = "false"},
+      {.path = "measures",
+       .help = "further figures of every map: columns of the results",
+       .list = true,
+       .choices = FigureNames()},
+      {.path = "output",
+       .help = "the folder of the results",
+       .default_text = "results/runs/NAME-OF-THE-CONFIG"},
+  };
+}
+
+/// The entries of `figures`.
+Schema FigureFields() {
+  return {
+      {.path = "figures.kind",
+       .help = "points, lines through the medians of runs with equal x, or bars that count runs",
+       .default_text = "scatter",
+       .choices = {"scatter", "lines", "histogram"}},
+      {.path = "figures.x",
+       .help = "what is shown from left to right",
+       .required = true,
+       .choices = QuantityNames()},
+      {.path = "figures.y",
+       .help = "what is shown upwards; a histogram has none",
+       .choices = QuantityNames()},
+      {.path = "figures.by",
+       .help = "the runs of one colour have this in common",
+       .default_text = "method",
+       .choices = GroupNames()},
+      {.path = "figures.scale",
+       .help = "of the axes: both linear, both logarithmic, or one of them",
+       .default_text = "linear",
+       .choices = {"linear", "log", "log_x", "log_y"}},
+      {.path = "figures.title", .help = "above the figure", .default_text = "from x, y and by"},
+  };
+}
+
+Schema MakeSchema() {
+  using enum FieldKind;
+  Schema schema = {
+      {.path = "question", .help = "what the experiment asks, in one sentence", .required = true}};
+  const auto add = [&](const Schema& fields) {
+    schema.insert(schema.end(), fields.begin(), fields.end());
+  };
+  add({{.path = "meshes", .kind = kSections, .help = "the surfaces", .required = true}});
+  add(MeshFields());
+  add({{.path = "methods",
+        .kind = kSections,
+        .help = "how each surface is parameterized",
+        .required = true}});
+  add(MethodSchema());
+  add(RunFields());
+  add({{.path = "figures",
+        .kind = kSections,
+        .help = "what the report draws of these runs, before the figures that it always has"}});
+  add(FigureFields());
   return schema;
 }
 

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include "cirque/core/parallel.h"
 
 #include "experiments/common/blas_threads.h"
+#include "experiments/common/resource_use.h"
 #include "experiments/run_experiment/worker_pool.h"
 
 namespace cirque {
@@ -19,15 +19,6 @@ std::string ReadStandardInput() {
     bytes.append(block, size);
   }
   return bytes;
-}
-
-/// The largest resident memory this process has had. (getrusage would count the parent's.)
-double PeakMib() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
-  }
-  return 0;
 }
 
 }  // namespace
@@ -46,7 +37,7 @@ int RunWorker(const RunCell& run_cell) {
     fmt::print(stderr, "{}\n", record.status().message());
     return 1;
   }
-  (*record)["peak_memory_mib"] = PeakMib();
+  if (!record->contains("peak_memory_mib")) (*record)["peak_memory_mib"] = PeakMemoryMib();
   fmt::print("{}\n", ToLine(*record));
   return std::fflush(stdout) == 0 ? 0 : 1;
 }

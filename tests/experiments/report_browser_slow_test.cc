@@ -73,6 +73,25 @@ document.body.append(report);
 constexpr char kFrames[] =
     "<script>window.requestAnimationFrame = (paint) => setTimeout(paint, 1);</script></head>";
 
+// The map that is chosen and drawn when the page opens, whether the page has gone to it, and the
+// link after another one has been chosen.
+constexpr char kLinkProbe[] = R"(<script type="module">
+const byId = (id) => document.getElementById(id);
+const wait = (ready) => new Promise((done) => {
+  const look = () => (ready() ? done() : setTimeout(look, 1));
+  look();
+});
+await wait(() => byId("surface").dataset.faces > 0 && byId("facts").textContent !== "");
+const choose = byId("choose"), found = [choose.selectedOptions[0].textContent];
+found.push(Math.abs(byId("maps").getBoundingClientRect().top) < innerHeight ? "in sight" : "away");
+choose.value = 0;
+choose.dispatchEvent(new Event("change"));
+found.push(location.hash);
+const report = document.createElement("pre");
+report.textContent = ["PROBE", found.join("; "), "END"].join(" ");
+document.body.append(report);
+</script></body>)";
+
 /// Prints the DOM after the page has run, and the browser's log.
 ProgramResult Browse(const std::string& page, const std::string& profile) {
   return RunShell(
@@ -81,11 +100,29 @@ ProgramResult Browse(const std::string& page, const std::string& profile) {
       profile + " --enable-logging=stderr --virtual-time-budget=600000 --dump-dom file://" + page);
 }
 
+constexpr char kNoChromium[] = "chromium is not installed (Debian: apt-get install chromium)";
+
+bool HasChromium() { return std::system("command -v chromium > /dev/null") == 0; }
+
+/// The report of that folder with the probe in it.
+std::string WriteProbed(const TemporaryFolder& folder, const std::string& probe) {
+  EXPECT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
+  std::string html = folder.Read("report.html");
+  html.replace(html.find("</head>"), 7, kFrames);
+  html.replace(html.rfind("</body>"), 7, probe);
+  return folder.Write("probed.html", html);
+}
+
+/// What the probe wrote; the DOM's beginning where it wrote nothing.
+std::string Found(const std::string& dom) {
+  std::smatch found;
+  return std::regex_search(dom, found, std::regex("PROBE ([^<]*) END")) ? found[1].str()
+                                                                        : dom.substr(0, 3000);
+}
+
 // Sorted by number, not by text; a run without a time stays last.
 TEST(ReportInBrowserSlow, DrawsSortsAndHasNoErrors) {
-  if (std::system("command -v chromium > /dev/null") != 0) {
-    GTEST_SKIP() << "chromium is not installed (Debian: apt-get install chromium)";
-  }
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
   const TemporaryFolder folder;
   folder.Write("maps/a.obj", PyramidObj(5));
   nlohmann::json a = ReportRecord("a", "m", 10), b = ReportRecord("b", "m", 9);
@@ -94,17 +131,26 @@ TEST(ReportInBrowserSlow, DrawsSortsAndHasNoErrors) {
   d["outcome"] = "timeout";
   d["seconds"] = nlohmann::json::object();
   folder.Write("results.jsonl", JsonLines({a, b, c, d}));
-  ASSERT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
-  std::string html = folder.Read("report.html");
-  html.replace(html.find("</head>"), 7, kFrames);
-  html.replace(html.rfind("</body>"), 7, kProbe);
-  const std::string dom = Browse(folder.Write("probed.html", html), folder.Path("profile")).output;
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(dom, found, std::regex("PROBE ([^<]*) END")))
-      << dom.substr(0, 3000);
-  EXPECT_EQ(found[1],
+  const std::string page = WriteProbed(folder, kProbe);
+  const std::string dom = Browse(page, folder.Path("profile")).output;
+  EXPECT_EQ(Found(dom),
             "surface drawn; image drawn; turn changes; wire changes; zoom changes; "
             "colours changes; flat changes; up bacd; down cabd");
+  EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
+}
+
+TEST(ReportInBrowserSlow, ALinkToAMapShowsIt) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  const TemporaryFolder folder;
+  nlohmann::json a = ReportRecord("a", "m", 1), b = ReportRecord("b", "m", 2);
+  folder.Write("maps/a.obj", PyramidObj(5));
+  folder.Write("maps/b.obj", PyramidObj(4));
+  a["map"] = "maps/a.obj";
+  b["map"] = "maps/b.obj";
+  folder.Write("results.jsonl", JsonLines({a, b}));
+  const std::string page = WriteProbed(folder, kLinkProbe);
+  const std::string dom = Browse(page + "#map-b-m", folder.Path("profile")).output;
+  EXPECT_EQ(Found(dom), "b - m; in sight; #map-a-m");
   EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
 }
 

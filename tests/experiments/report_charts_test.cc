@@ -100,5 +100,22 @@ TEST(Figures, WithoutValuesEachSaysWhy) {
   EXPECT_EQ(Count(html, "class=\"empty missing\""), 8);
 }
 
+TEST(ScatterChart, SeriesThatShareAColourDifferInShape) {
+  SeriesNames names;
+  std::vector<Point> points;
+  for (int i = 0; i < 10; ++i) {
+    names.push_back("n" + std::to_string(i));
+    points.push_back({i, 1, 1, names.back()});
+  }
+  const std::string html = ScatterChart({"t", "x", "y"}, names, points);
+  std::vector<std::string> marks;  // of the series 0 and 8, without the title
+  for (const std::string mark : {"class=\"mark s0\" ", "class=\"mark s0 again\" "}) {
+    const std::size_t at = html.find(mark);
+    ASSERT_NE(at, std::string::npos) << mark;
+    marks.push_back(html.substr(at + mark.size(), html.find('>', at) - at - mark.size()));
+  }
+  EXPECT_NE(marks[0], marks[1]);
+}
+
 }  // namespace
 }  // namespace cirque::experiment_report

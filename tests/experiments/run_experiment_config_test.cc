@@ -48,13 +48,14 @@ const std::vector<BadConfig>& BadConfigs() {
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
        ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
-       "repeats, include, exclude, time_limit, memory_limit, keep_maps, measures, output"},
+       "repeats, seeds, include, exclude, time_limit, memory_limit, keep_maps, reference, "
+       "measures, output, figures"},
       {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
-       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, include, exclude, "
-       "time_limit, memory_limit, keep_maps, measures, output"},
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, seeds, include, "
+       "exclude, time_limit, memory_limit, keep_maps, reference, measures, output, figures"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
-       "triangulation, angle_fit, "
+       "domain, triangulation, angle_fit, "
        "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, cut_cost, "
        "edge_costs, epsilon, "
        "max_iterations"},
@@ -124,6 +125,45 @@ const std::vector<BadConfig>& BadConfigs() {
        ":3:11: no file matches '/nowhere/a*.obj'; put it there, or skip it with 'optional: true'"},
       {"AllSkipped", Config("{file: a.obj, optional: true}", kMethod),
        ":1:1: nothing to run: every mesh was skipped"},
+      {"SubdivisionsNegative", Config("{generator: torus, subdivisions: -1}", kMethod),
+       ":3:38: 'subdivisions' must be a whole number from 0 to 12, not '-1'"},
+      {"SubdividedKnownMap",
+       Config("{generator: hemisphere, boundary: known_map, subdivisions: [0, 1]}", kMethod),
+       ":3:64: midpoints do not lie on the smooth surface"},
+      {"UnknownDomain", Config(kMesh, "{name: a, domain: dick}"),
+       ":5:23: unknown domain 'dick'; did you mean 'disk'? Known: plane, sphere, disk"},
+      {"ForeignToTheDomain", Config(kMesh, "{name: a, domain: [plane, disk], cones: greedy}"),
+       ":5:45: 'cones' has no meaning with domain 'disk', which takes none of its like; give that "
+       "domain an entry of its own"},
+      {"ForeignToTheSphere", Config(kMesh, "{name: a, domain: sphere, cut_cost: length}"),
+       ":5:41: 'cut_cost' has no meaning with domain 'sphere', which takes layout"},
+      {"SeedsOfFiles", Config("{file: a.obj, optional: true}", kMethod, "seeds: [1, 2]\n"),
+       ":6:8: 'seeds' has a meaning for generated meshes only: nothing here is random"},
+      {"SeedTwice", Config(kMesh, kMethod, "seeds: [1, 2, 1]\n"), ":6:15: '1' is listed twice"},
+      {"SeedAndSeeds", Config("{generator: torus, seed: 3}", kMethod, "seeds: [1, 2]\n"),
+       ":3:30: 'seeds' makes every generated mesh with its own seeds: remove one of"},
+      {"SeedsByName", Config(kMesh, kMethod, "seeds: many\n"),
+       ":6:8: 'seeds' must be a whole number from 0 to 4294967295, not 'many'"},
+      {"FiguresNoList", Config(kMesh, kMethod, "figures: time\n"),
+       ":6:10: 'figures' must be a list of entries"},
+      {"FigureKind", Config(kMesh, kMethod, "figures:\n  - {kind: scater, x: cones, y: seams}\n"),
+       ":7:12: unknown kind 'scater'; did you mean 'scatter'? Known: scatter, lines, histogram"},
+      {"FigureAxis", Config(kMesh, kMethod, "figures:\n  - {x: triangels, y: seconds}\n"),
+       ":7:9: unknown x 'triangels'; did you mean 'triangles'?"},
+      {"FigureScale", Config(kMesh, kMethod, "figures:\n  - {x: cones, y: seams, scale: lg}\n"),
+       ":7:33: unknown scale 'lg'; did you mean 'log'? Known: linear, log, log_x, log_y"},
+      {"FigureBy", Config(kMesh, kMethod, "figures:\n  - {x: cones, y: seams, by: triangles}\n"),
+       ":7:30: unknown by 'triangles'"},
+      {"FigureWithoutX", Config(kMesh, kMethod, "figures:\n  - {y: seconds}\n"),
+       ":7:5: the key 'x' is missing: what is shown from left to right"},
+      {"FigureWithoutY", Config(kMesh, kMethod, "figures:\n  - {kind: lines, x: cones}\n"),
+       ":7:5: 'lines' needs 'y'; only a histogram has none"},
+      {"HistogramWithY",
+       Config(kMesh, kMethod, "figures:\n  - {kind: histogram, x: cones, y: seams}\n"),
+       ":7:36: a histogram counts runs: leave out 'y'"},
+      {"FigureTwice",
+       Config(kMesh, kMethod, "figures:\n  - {x: cones, y: seams}\n  - {y: seams, x: cones}\n"),
+       ":8:5: this figure is listed twice"},
       {"SameMesh", Config("generator: bumpy_terrain\n  - generator: bumpy_terrain", kMethod),
        ":4:5: two meshes are named 'bumpy_terrain' (first on line 3); give one a 'name'"},
       {"SameMethod", Config(kMesh, "name: a\n  - name: a"),
@@ -159,20 +199,20 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
       "question: why\nrepeats: 0\nmeshes:\n  - file: a.obj\nmethods:\n\t\n  - nam: a\n");
   const StatusOr<ExperimentConfig> config = LoadConfig(path);
   ASSERT_FALSE(config.ok());
-  EXPECT_EQ(config.status().message(),
-            path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
-                "  repeats: 0\n           ^\n" +  //
-                path + ":4:11: there is no file '" + folder.path() +
-                "/a.obj'; put it there, or skip it with 'optional: true'\n" +
-                "    - file: a.obj\n            ^\n" +  //
-                path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-                "triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
-                "cone_angles, refine_cones, cut_cost, edge_costs, epsilon, max_iterations\n    "
-                "- nam: a\n      "
-                "^\n" +  //
-                path +
-                ":7:5: the key 'name' is missing: its name in tables\n" +
-                "    - nam: a\n      ^\n");
+  EXPECT_EQ(
+      config.status().message(),
+      path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
+          "  repeats: 0\n           ^\n" +  //
+          path + ":4:11: there is no file '" + folder.path() +
+          "/a.obj'; put it there, or skip it with 'optional: true'\n" +
+          "    - file: a.obj\n            ^\n" +  //
+          path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
+          "domain, triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
+          "cone_angles, refine_cones, cut_cost, edge_costs, epsilon, max_iterations\n    "
+          "- nam: a\n      "
+          "^\n" +  //
+          path +
+          ":7:5: the key 'name' is missing: its name in tables\n" + "    - nam: a\n      ^\n");
 }
 
 TEST(RunExperimentConfig, CaretStandsUnderTheColumnAfterTabsAndUmlauts) {

@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -18,6 +19,20 @@ Record Ended(const std::string& outcome) {
   return {{"outcome", outcome}, {"message", "why\nmore"}, {"seconds", {{"total", 1.5}}}};
 }
 
+/// Everything that is on its way to the terminal: what was written arrives in pieces.
+std::string ReadAll(int terminal) {
+  constexpr int kPatience = 200;  // ms
+  std::string text;
+  pollfd waiting = {terminal, POLLIN, 0};
+  while (poll(&waiting, 1, kPatience) > 0) {
+    char piece[4096];
+    const ssize_t size = read(terminal, piece, sizeof(piece));
+    if (size <= 0) break;
+    text.append(piece, static_cast<std::size_t>(size));
+  }
+  return text;
+}
+
 /// What a terminal is told by two of five runs, one of which was finished before.
 std::string ToldToATerminal() {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
@@ -28,9 +43,7 @@ std::string ToldToATerminal() {
   progress.Start("lion/a");
   progress.Start("lion/b");
   progress.Finish("lion/b", Ended("crash"));
-  std::string text(4096, '\0');
-  const ssize_t size = read(terminal, text.data(), text.size());
-  text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  const std::string text = ReadAll(terminal);
   std::fclose(out);
   close(terminal);
   return text;

@@ -191,6 +191,10 @@ TEST(RunExperimentJobs, KeepTheirBytesAndDigits) {
   cell.mesh.generator_options.seed = 4294967295u;
   cell.method.options.epsilon = 0.1 + 0.2;
   cell.method.options.strategy = "newton_cg";
+  cell.method.domain = "disk";
+  cell.mesh.family = "torus";
+  cell.mesh.subdivisions = 3;
+  cell.reference = true;
   cell.measures = {"cut_length"};
   cell.limits = {1.0 / 3, 1e-300};
   cell.keep_map = true;
@@ -206,6 +210,10 @@ TEST(RunExperimentJobs, KeepTheirBytesAndDigits) {
   EXPECT_EQ(job->cell.limits.seconds, 1.0 / 3);
   EXPECT_EQ(job->cell.limits.memory_mib, 1e-300);
   EXPECT_TRUE(job->cell.keep_map);
+  EXPECT_TRUE(job->cell.reference);
+  EXPECT_EQ(job->cell.mesh.subdivisions, 3);
+  EXPECT_EQ(job->cell.mesh.family, "torus");
+  EXPECT_EQ(job->cell.method.domain, "disk");
   EXPECT_EQ(job->mesh.path, "/b/\x80");
   EXPECT_EQ(job->folder, "/c");
   EXPECT_EQ(job->provenance["code"], "x");

@@ -1,4 +1,5 @@
-"""Figures for papers from the tables of experiment_report: figures.py RUNS.json CONVERGENCE.json"""
+"""Figures for papers from the tables of experiment_report: figures.py RUNS.json CONVERGENCE.json
+FIGURES.json"""
 import json
 import math
 import pathlib
@@ -73,7 +74,33 @@ def convergence(rows, stage, path):
     save(axes, path, bool(curves))
 
 
-def main(runs_path, convergence_path):
+def bins_of(figure, number=16):
+    """The borders of bins that look equally wide on the figure's axis."""
+    values = [x for _, x, _ in figure["points"] if x > 0 or figure["x_scale"] == "linear"] or [1]
+    if figure["x_scale"] == "linear":
+        return number
+    low, high = math.log10(min(values)), math.log10(max(values))
+    return [10 ** (low + (high - low + 0.01) * i / number) for i in range(number + 1)]
+
+
+def asked_for(figure, path):
+    """A figure that the config asks for, from its points [series, x, y]."""
+    axes = plt.figure().add_subplot(xlabel=figure["x_label"], ylabel=figure["y_label"] or "runs",
+                                    xscale=figure["x_scale"], yscale=figure["y_scale"])
+    series = {}
+    for name, x, y in figure["points"]:
+        series.setdefault(name, []).append((x, y))
+    if figure["kind"] == "histogram":
+        axes.hist([[x for x, _ in points] for points in series.values()], bins=bins_of(figure),
+                  stacked=True, label=list(series))
+    style = "-" if figure["kind"] == "lines" else ""
+    for marker, (name, points) in zip("os^Dv<>ph*" * 10, sorted(series.items())):
+        if figure["kind"] != "histogram":
+            axes.plot(*zip(*points), marker + style, markersize=3, linewidth=0.8, label=name)
+    save(axes, path, bool(series))
+
+
+def main(runs_path, convergence_path, figures_path):
     runs = json.loads(pathlib.Path(runs_path).read_text())
     rows = json.loads(pathlib.Path(convergence_path).read_text())
     maps = [run for run in runs if run["outcome"] == "ok"]
@@ -81,6 +108,8 @@ def main(runs_path, convergence_path):
         ratio = run.get("quasi_conformal_mean")
         run["excess"] = None if ratio is None else max(ratio - 1, LEAST)
     folder = pathlib.Path(runs_path).parent
+    for number, figure in enumerate(json.loads(pathlib.Path(figures_path).read_text()), start=1):
+        asked_for(figure, folder / f"figure_{number}.pdf")
     ratio = "mean quasi-conformal ratio $-$ 1"
     scatter(maps, "mesh_triangles", "seconds_total", ("triangles", "time [s]"), folder / "time.pdf")
     scatter(maps, "excess", "log_area_ratio_l2", (ratio, "log area ratio, rms"),

@@ -85,7 +85,11 @@ async function main() {
   views.forEach((view, index) => {
     element("choose").append(new Option(`${view.mesh} - ${view.method}`, index));
   });
-  element("choose").addEventListener("change", () => show(Number(element("choose").value)));
+  element("choose").addEventListener("change", () => {
+    const index = Number(element("choose").value);
+    history.replaceState(null, "", `#map-${views[index].key}`);  // a link to what is shown
+    show(index);
+  });
   const on = (id, act) => element(id).addEventListener("input", () => {
     act(element(id));
     both((one) => one.draw());
@@ -98,15 +102,13 @@ async function main() {
   element("reset").addEventListener("click", () => both((one) => one.reset()));
   const follow = () => {
     const index = views.findIndex((view) => location.hash === `#map-${view.key}`);
-    if (index >= 0) {
-      element("choose").value = index;
-      element("maps").scrollIntoView();
-      show(index);
-    }
+    if (index < 0) return false;
+    element("choose").value = index;
+    element("maps").scrollIntoView();
+    return show(index);
   };
   addEventListener("hashchange", follow);
-  await show(0);
-  follow();
+  await (follow() || show(0));
 }
 main().catch((error) => {
   console.error(error);

@@ -1,4 +1,4 @@
-#include "experiments/circle_patterns/sphere_files.h"
+#include "experiments/common/sphere_files.h"
 
 #include <utility>
 

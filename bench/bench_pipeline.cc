@@ -1,0 +1,57 @@
+// From a surface to its map with all defaults, for the surface of every generator; and each angle
+// objective and strategy of the log radii on one of them.
+#include "cirque/energy/angle_objective.h"
+#include "cirque/mesh/generators.h"
+#include "cirque/pipeline/parameterize.h"
+#include "cirque/solver/solver_strategy.h"
+
+#include "bench/registration.h"
+#include "bench/surfaces.h"
+
+namespace cirque {
+namespace {
+
+void TimePipeline(benchmark::State& state, const std::string& generator,
+                  const ParameterizeOptions& options, int triangles) {
+  const Surface& surface = BenchSurface(generator, triangles);
+  Parameterization map;
+  Status status;
+  for (auto _ : state) {
+    map = {};
+    status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+  }
+  for (const char* name : {"angle_iterations", "angle_factorizations", "radii_iterations",
+                           "radii_factorizations", "cones"}) {
+    const auto value = map.certificate.values.find(name);
+    if (value != map.certificate.values.end()) state.counters[name] = value->second;
+  }
+  state.counters["mapped"] = status.ok();
+  CountFaces(state, surface.triangulation.num_faces());
+}
+
+void Register(const std::string& name, const std::string& generator,
+              const ParameterizeOptions& options, std::initializer_list<int> sizes) {
+  RegisterBySize(name, sizes, [=](benchmark::State& state, int triangles) {
+    TimePipeline(state, generator, options, triangles);
+  });
+}
+
+[[maybe_unused]] const bool kRegistered = [] {
+  for (const std::string& generator : MeshGenerators().Names()) {
+    Register(generator, generator, {}, {kSmall, kLarge});
+  }
+  for (const std::string& objective : AngleObjectives().Names()) {
+    ParameterizeOptions options;
+    options.angle_fit = objective;
+    Register("angle_fit:" + objective, "bumpy_terrain", options, {kLarge});
+  }
+  for (const std::string& strategy : SolverStrategies().Names()) {
+    ParameterizeOptions options;
+    options.strategy = strategy;
+    Register("strategy:" + strategy, "bumpy_terrain", options, {kSmall});
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace cirque

@@ -1,0 +1,137 @@
+"""Records of run_experiment as studies read them, and the pages they write."""
+import json
+import math
+import os
+import pathlib
+import statistics
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+
+plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cirque", "font.size": 8, "axes.grid": True,
+                     "grid.alpha": 0.3, "legend.frameon": False})
+
+COLOURS = ["#1b6ca8", "#c8553d", "#4a8c5c", "#8a5a9e", "#b8860b", "#5f6b73"]
+
+
+class BadRecords(Exception):
+    """The records are missing or are not those of the study."""
+
+
+class Run:
+    """One record, with the parts that studies ask for by name."""
+
+    def __init__(self, record):
+        self.record = record
+        self.mesh = record["mesh"]["name"]
+        self.family = record["mesh"].get("family") or self.mesh
+        self.triangles = record["mesh"]["triangles"]
+        self.method = record["method"]
+        self.group = record["method"]["name"].split(",")[0]
+        self.outcome = record["outcome"]
+        self.ok = self.outcome == "ok"
+
+    def value(self, name):
+        """A measured value; None where the run has none."""
+        return self.record.get("values", {}).get(name)
+
+    def seconds(self, stage):
+        return self.record.get("seconds", {}).get(stage)
+
+    @property
+    def cpu(self):
+        return self.record.get("cpu_seconds")
+
+    @property
+    def map_cpu(self):
+        return self.record.get("map_cpu_seconds")
+
+    @property
+    def memory(self):
+        return self.record.get("peak_memory_mib")
+
+    @property
+    def reference(self):
+        return self.record.get("reference", {}).get("cpu_seconds")
+
+
+def read(folder):
+    """The runs of FOLDER/results.jsonl, of every run its last record, a torn line left out."""
+    path = pathlib.Path(folder) / "results.jsonl"
+    if not path.exists():
+        raise BadRecords(f"{path}: does not exist; run the study's config first")
+    runs = {}
+    for line in path.read_text().splitlines():
+        try:
+            record = json.loads(line)
+            runs[record["mesh"]["name"], record["method"]["name"], record["repeat"]] = Run(record)
+        except (ValueError, KeyError, TypeError):
+            continue
+    if not runs:
+        raise BadRecords(f"{path}: holds no record of run_experiment")
+    return list(runs.values())
+
+
+def in_order(items):
+    """Each of them once, in the order of their first appearance."""
+    return list(dict.fromkeys(items))
+
+
+def by_size(runs):
+    """The meshes' names, the smallest first."""
+    size = {}
+    for run in runs:
+        size[run.mesh] = max(size.get(run.mesh, 0), run.triangles)
+    return sorted(size, key=lambda mesh: (size[mesh], mesh))
+
+
+def number(value, text="{:.3g}"):
+    return "-" if value is None else text.format(value)
+
+
+def shown(run, value, text="{:.3g}"):
+    """A cell of a table: the value, or why there is none."""
+    if run is None:
+        return ""
+    return number(value, text) if run.ok else run.outcome
+
+
+def table(head, rows, texts=1):
+    """Markdown; the first `texts` columns are texts, the others numbers."""
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * texts + "--:|" * (len(head) - texts)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+def quantiles(values):
+    """"median (least to greatest)"."""
+    if not values:
+        return "-"
+    return f"{statistics.median(values):.3g} ({min(values):.3g} to {max(values):.3g})"
+
+
+def power_fit(sizes, values):
+    """(exponent, factor) of values = factor sizes^exponent by least squares of the logarithms; None where there are
+    fewer than three sizes."""
+    points = [(math.log(x), math.log(y)) for x, y in zip(sizes, values) if y and y > 0]
+    if len({x for x, _ in points}) < 3:
+        return None
+    mean_x = statistics.fmean(x for x, _ in points)
+    mean_y = statistics.fmean(y for _, y in points)
+    slope = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x) ** 2 for x, _ in points)
+    return slope, math.exp(mean_y - slope * mean_x)
+
+
+def write(path, study, text):
+    """The whole page or nothing."""
+    head = f"<!-- Written by `experiments/study {study}` from the records of configs/{study}.yaml. -->\n\n"
+    path = pathlib.Path(path)
+    temporary = path.with_name(path.name + f".tmp.{os.getpid()}")
+    temporary.write_text(head + text.rstrip() + "\n")
+    temporary.replace(path)
+
+
+def save(figure, path):
+    figure.savefig(path, metadata={"Date": None}, bbox_inches="tight")
+    plt.close(figure)

@@ -1,0 +1,191 @@
+// Subdivisions, domains, seeds, the reference and figures: what these keys of a config do.
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/core/text.h"
+#include "cirque/mesh/generators.h"
+#include "cirque/mesh/io.h"
+#include "cirque/metrics/measure_map.h"
+
+#include "experiments/common/domain_table.h"
+#include "experiments/run_experiment/config.h"
+#include "experiments/run_experiment/quantities.h"
+#include "experiments/run_experiment/runner.h"
+#include "tests/common/run_program.h"
+#include "tests/common/temporary_folder.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+class RunExperimentKeys : public ::testing::Test {
+ protected:
+  ExperimentConfig Load(const std::string& meshes, const std::string& methods,
+                        const std::string& rest = "") {
+    const auto config = LoadConfig(folder_.Write(
+        "a.yaml", "question: why?\nmeshes:\n" + meshes + "methods:\n" + methods + rest));
+    EXPECT_TRUE(config.ok()) << config.status().message();
+    return config.ok() ? *config : ExperimentConfig();
+  }
+
+  std::vector<Record> Run(const ExperimentConfig& config) {
+    const auto summary = RunExperiment(config, config.cells, {}, ParameterizeCell);
+    EXPECT_TRUE(summary.ok()) << summary.status().message();
+    return summary.ok() ? summary->records : std::vector<Record>();
+  }
+
+  TemporaryFolder folder_;
+};
+
+std::vector<std::string> MeshNames(const ExperimentConfig& config) {
+  std::vector<std::string> names;
+  for (const Cell& cell : config.cells) names.push_back(cell.mesh.name);
+  return names;
+}
+
+// A polygon is triangulated first: two squares are 4 triangles, split into 16 and 64.
+TEST_F(RunExperimentKeys, SubdivisionsSplitEveryTriangleIntoFour) {
+  folder_.Write("strip.obj",
+                "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 1\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n");
+  const ExperimentConfig config =
+      Load("  - {file: strip.obj, subdivisions: [0, 1, 2]}\n", "  - name: a\n");
+  EXPECT_THAT(MeshNames(config), ElementsAre("strip", "strip-sub1", "strip-sub2"));
+  const std::vector<Record> records = Run(config);
+  ASSERT_THAT(records, SizeIs(3));
+  std::set<std::string> keys;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(records[i]["outcome"], "ok") << records[i]["message"];
+    EXPECT_EQ(records[i]["mesh"]["triangles"], 4 * std::pow(4, i));
+    EXPECT_EQ(records[i]["mesh"]["family"], "strip");
+    keys.insert(records[i]["key"].get<std::string>());
+  }
+  EXPECT_THAT(keys, SizeIs(3));
+}
+
+TEST_F(RunExperimentKeys, SubdivisionDoesNotHideADefectOfTheMesh) {
+  folder_.Write("bad.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
+                "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  const std::vector<Record> records =
+      Run(Load("  - {file: bad.obj, subdivisions: 1}\n", "  - name: a\n"));
+  EXPECT_EQ(records.at(0)["outcome"], "invalid_input");
+}
+
+// The reference is timed beside the run and is no part of its time.
+TEST_F(RunExperimentKeys, ReferenceIsTimedOnRequest) {
+  const std::string mesh = "  - {generator: bumpy_terrain, triangles: 2000}\n";
+  EXPECT_FALSE(Run(Load(mesh, "  - name: a\n")).at(0).contains("reference"));
+  const Record record = Run(Load(mesh, "  - name: a\n", "reference: true\n")).at(0);
+  EXPECT_GT(record["reference"]["cpu_seconds"], 0);
+  EXPECT_GT(record["peak_memory_mib"], 1);
+  EXPECT_GT(record["map_cpu_seconds"], 0);
+  EXPECT_GT(record["cpu_seconds"], record["map_cpu_seconds"]);
+  double stages = 0;
+  for (const auto& [stage, seconds] : record["seconds"].items()) {
+    if (stage != "total") stages += seconds.get<double>();
+  }
+  EXPECT_GE(record["seconds"]["total"], stages * 0.99);
+}
+
+/// A surface that the domain can take.
+std::string GeneratorFor(const std::string& domain) {
+  return domain == "sphere" ? "blob" : "hemisphere";
+}
+
+std::string VerifyFlags(const std::string& domain) {
+  return domain == "sphere" || domain == "disk" ? "--domain=" + domain : "--require_injective";
+}
+
+// verify_map, which shares no code with the solver, judges what the runner leaves behind.
+TEST_F(RunExperimentKeys, EveryDomainRunsAndItsMapVerifies) {
+  for (const std::string& domain : DomainNames()) {
+    SCOPED_TRACE(domain);
+    const std::string generator = GeneratorFor(domain), input = folder_.Path(domain + ".obj");
+    const std::vector<Record> records =
+        Run(Load("  - {generator: " + generator + ", triangles: 400}\n",
+                 "  - {name: a, domain: " + domain + "}\n",
+                 "keep_maps: true\nmeasures: [overlap_area, angle_error_mean]\noutput: out\n"));
+    ASSERT_EQ(records.at(0)["outcome"], "ok") << records[0]["message"];
+    EXPECT_EQ(records[0]["method"]["domain"], domain);
+    // The half-plane's pole belongs at infinity: the triangles there cannot keep their shapes.
+    if (domain != "half_plane") {
+      EXPECT_LT(records[0]["values"]["quasi_conformal_mean"], 1.5);
+    }
+    EXPECT_GT(records[0]["values"]["angle_error_mean"], 0);
+    EXPECT_EQ(records[0]["values"].contains("overlap_area"), domain != "sphere");
+    ASSERT_TRUE(WriteMesh(input, *GenerateMesh(generator, {400, 1})).ok());
+    const ProgramResult verified =
+        RunProgram("verify_map " + VerifyFlags(domain) + " " + input + " " +
+                   folder_.Path("out/" + records[0]["map"].get<std::string>()));
+    EXPECT_EQ(verified.exit_status, 0) << verified.output;
+  }
+}
+
+TEST_F(RunExperimentKeys, ASurfaceThatADomainCannotTakeIsARecordThatSaysSo) {
+  const std::vector<Record> records = Run(
+      Load("  - {generator: torus, triangles: 200}\n", "  - {name: a, domain: [disk, sphere]}\n"));
+  ASSERT_THAT(records, SizeIs(2));
+  for (const Record& record : records) {
+    EXPECT_EQ(record["outcome"], "invalid_input");
+    EXPECT_NE(record["message"], "");
+  }
+}
+
+TEST_F(RunExperimentKeys, SeedsMakeGeneratedMeshesAnewAndFilesOnce) {
+  folder_.Write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const ExperimentConfig config =
+      Load("  - generator: bumpy_terrain\n  - file: t.obj\n", "  - name: a\n", "seeds: [3, 7]\n");
+  EXPECT_THAT(MeshNames(config), ElementsAre("bumpy_terrain-s3", "bumpy_terrain-s7", "t"));
+  EXPECT_EQ(config.cells[1].mesh.generator_options.seed, 7u);
+  ASSERT_THAT(config.notes, SizeIs(1));
+  EXPECT_THAT(config.notes[0], HasSubstr("a.yaml:4:5: run without seeds: nothing of a mesh that is "
+                                         "not generated is random"));
+}
+
+// Every name stands for a number or a text that some run has: the table cannot name what records
+// no longer hold.
+TEST_F(RunExperimentKeys, EveryQuantityOfFiguresIsInSomeRecord) {
+  const std::vector<Record> records =
+      Run(Load("  - {generator: hemisphere, triangles: 200}\n",
+               "  - {name: a, strategy: newton_cg, angle_strategy: newton_cg}\n",
+               "reference: true\nmeasures: [" + Join(FigureNames()) + "]\n"));
+  ASSERT_EQ(records.at(0)["outcome"], "ok");
+  for (const Quantity& quantity : Quantities()) {
+    const nlohmann::json::json_pointer pointer(quantity.pointer);
+    EXPECT_TRUE(records[0].contains(pointer) && records[0].at(pointer).is_number())
+        << quantity.name;
+  }
+  for (const Quantity& group : Groups()) {
+    EXPECT_TRUE(records[0].contains(nlohmann::json::json_pointer(group.pointer))) << group.name;
+  }
+}
+
+TEST_F(RunExperimentKeys, FiguresAreWrittenForTheReport) {
+  const ExperimentConfig config =
+      Load("  - {generator: torus, triangles: [100, 400]}\n", "  - name: a\n",
+           "output: out\nfigures:\n  - {x: triangles, y: seconds, by: mesh_family, scale: log}\n"
+           "  - {kind: histogram, x: quasi_conformal_mean, title: <Angles>}\n");
+  Run(config);
+  const auto figures = nlohmann::json::parse(folder_.Read("out/figures.json"));
+  ASSERT_THAT(figures, SizeIs(2));
+  EXPECT_EQ(figures[0]["title"], "time [s] against triangles, by mesh");
+  EXPECT_EQ(figures[0]["y"]["pointer"], "/seconds/total");
+  const ProgramResult report = RunProgram("experiment_report " + folder_.Path("out"));
+  EXPECT_EQ(report.exit_status, 0) << report.output;
+  const std::string html = folder_.Read("out/report.html");
+  EXPECT_LT(html.find("time [s] against triangles, by mesh"), html.find("&lt;Angles&gt;"));
+  const auto points = nlohmann::json::parse(folder_.Read("out/report_figures.json"));
+  ASSERT_THAT(points[0]["points"], SizeIs(2));
+  EXPECT_EQ(points[0]["points"][0][0], "torus");
+  EXPECT_EQ(points[0]["points"][1][1], 400);
+  EXPECT_EQ(points[0]["x_scale"], "log");
+}
+
+}  // namespace
+}  // namespace cirque

@@ -1,0 +1,145 @@
+// experiments/study: the tables it makes of records, against records whose figures are known.
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/common/paths.h"
+#include "tests/common/run_program.h"
+#include "tests/common/temporary_folder.h"
+#include "tests/experiments/report_fixtures.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class StudyTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (RunShell("/usr/bin/python3 -c 'import matplotlib'").exit_status != 0) {
+      GTEST_SKIP() << "matplotlib is not installed (Debian: apt-get install python3-matplotlib)";
+    }
+  }
+
+  ProgramResult Study(const std::string& name) const {
+    return RunShell(ProjectPath("experiments/study") + " " + name + " --records " + folder_.path() +
+                    " --output " + folder_.Path("out.md"));
+  }
+
+  /// The page made of these records.
+  std::string Page(const std::string& name, const std::vector<nlohmann::json>& records) {
+    folder_.Write("results.jsonl", JsonLines(records));
+    const ProgramResult made = Study(name);
+    EXPECT_EQ(made.exit_status, 0) << made.output;
+    EXPECT_THAT(folder_.Read("out.svg"), HasSubstr("<svg"));
+    return folder_.Read("out.md");
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// A run of `family` whose stages take 1e-6 n^1.25 s, beside a reference of 1e-6 n s, in n KiB.
+nlohmann::json ScalingRecord(const std::string& family, double n) {
+  nlohmann::json record = ReportRecord(family + "-" + std::to_string(n), "default", 0);
+  record["mesh"]["family"] = family;
+  record["mesh"]["triangles"] = n;
+  const double seconds = 1e-6 * std::pow(n, 1.25);
+  for (const char* stage : {"triangulation", "angles", "radii", "layout", "measures", "total"}) {
+    record["seconds"][stage] = seconds;
+  }
+  record["map_cpu_seconds"] = 5 * seconds;
+  record["reference"] = {{"seconds", 1e-6 * n}, {"cpu_seconds", 1e-6 * n}};
+  record["peak_memory_mib"] = n / 1024;
+  return record;
+}
+
+TEST_F(StudyTest, ScalingFindsTheExponentAndTheMultiplesOfR) {
+  std::vector<nlohmann::json> records;
+  for (const double n : {1e4, 1e5, 1e6}) records.push_back(ScalingRecord("terrain", n));
+  nlohmann::json failed = ScalingRecord("car", 1e5);
+  failed["outcome"] = "memory_limit";
+  records.push_back(failed);
+  const std::string page = Page("scaling", records);
+  EXPECT_THAT(page,
+              HasSubstr("| terrain | 10000.0 to 1000000.0 | - | - | 1.25 | 1.25 | 1.25 | 1.25 "
+                        "| 1.25 | 1.25 | 1.25 | 1.00 | 1.00 |"));
+  // n^0.25 = 10 at 1e4: every stage is 10 R, the five of them 50, and so is the CPU time.
+  EXPECT_THAT(page,
+              HasSubstr("| 10000.0 | 0.01 | 10.0 | 10.0 | 10.0 | 10.0 | 10.0 | 50.0 | 50.0 |"));
+  EXPECT_THAT(page, HasSubstr("| 1024 |"));  // bytes a triangle
+  EXPECT_THAT(page, HasSubstr("Without a map: car-100000.000000 (memory_limit)."));
+}
+
+nlohmann::json ObjectiveRecord(const std::string& mesh, const std::string& objective,
+                               double distortion, double cpu) {
+  nlohmann::json record = ReportRecord(mesh, "raw,angle_fit=" + objective, 1);
+  record["method"]["angle_fit"] = objective;
+  record["values"]["quasi_conformal_mean"] = 1 + distortion;
+  record["values"]["angle_error_mean"] = distortion;
+  record["cpu_seconds"] = cpu;
+  return record;
+}
+
+TEST_F(StudyTest, TheVerdictComparesOnMeshesThatBothMap) {
+  std::vector<nlohmann::json> records = {
+      ObjectiveRecord("a", "quadratic", 0.1, 1), ObjectiveRecord("a", "barrier", 0.105, 3),
+      ObjectiveRecord("b", "quadratic", 0.2, 1), ObjectiveRecord("b", "barrier", 0.3, 2),
+      ObjectiveRecord("c", "quadratic", 0.1, 1), ObjectiveRecord("c", "barrier", 0.5, 9),
+      ObjectiveRecord("d", "quadratic", 0.1, 1), ObjectiveRecord("d", "barrier", 9, 9)};
+  records.back()["outcome"] = "infeasible";
+  const std::string page = Page("qp_vs_nonlinear", records);
+  EXPECT_THAT(page, HasSubstr("1.5 times the quadratic program's (median of 3 meshes; 1.05 to 5), "
+                              "within 10 % on 1 and within a factor of 2 on 2 of them; it takes 3 "
+                              "times the CPU time."));
+  EXPECT_THAT(page, HasSubstr("3 ok, 1 infeasible"));
+}
+
+TEST_F(StudyTest, StrategiesAreComparedByStageAndGrowth) {
+  std::vector<nlohmann::json> records;
+  for (const double n : {1e3, 1e4, 1e5}) {
+    nlohmann::json record =
+        ReportRecord("bumpy_terrain-" + std::to_string(n), "radii,strategy=newton", 1);
+    record["mesh"]["family"] = "bumpy_terrain";
+    record["mesh"]["triangles"] = n;
+    record["cpu_seconds"] = 1e-9 * n * n;
+    record["values"] = {{"radii_iterations", 4}, {"radii_factorizations", 2}};
+    records.push_back(record);
+  }
+  const std::string page = Page("strategies", records);
+  EXPECT_THAT(page, HasSubstr("4 / 2 / 0.001 |"));
+  EXPECT_THAT(page, HasSubstr("| exponent of the time |  | 2.00 |"));
+}
+
+TEST_F(StudyTest, DomainsAreComparedWithThePlaneOnTheSameMesh) {
+  std::vector<nlohmann::json> records;
+  for (const std::string domain : {"plane", "disk"}) {
+    nlohmann::json record = ReportRecord("a", "m,domain=" + domain, 1);
+    record["method"]["domain"] = domain;
+    record["values"]["flipped_triangles"] = 0;
+    record["values"]["quasi_conformal_mean"] = domain == "plane" ? 1.0 : 1.25;
+    record["cpu_seconds"] = domain == "plane" ? 2 : 3;
+    records.push_back(record);
+  }
+  EXPECT_THAT(Page("domains", records),
+              HasSubstr("| `disk` | 1 of 1 | 0 | 1.25 (1.25 to 1.25) | 1.5 (1.5 to 1.5) |"));
+}
+
+TEST_F(StudyTest, BadRecordsAreRefusedAndNothingIsWritten) {
+  ProgramResult refused = Study("scaling");
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_THAT(refused.output, HasSubstr("results.jsonl: does not exist; run the study's config"));
+  folder_.Write("results.jsonl", "{\"torn\n");
+  refused = Study("domains");
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_THAT(refused.output, HasSubstr("holds no record"));
+  EXPECT_THAT(refused.output, Not(HasSubstr("Traceback")));
+  EXPECT_FALSE(std::ifstream(folder_.Path("out.md")).good());
+  EXPECT_EQ(Study("scalign").exit_status, 2);
+}
+
+}  // namespace
+}  // namespace cirque
