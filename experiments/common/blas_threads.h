@@ -9,7 +9,8 @@ namespace cirque {
 /// second thread gains little on an idle machine and loses much where jobs run side by side.
 void UseOneBlasThread();
 
-/// CIRQUE_NUM_THREADS, the most threads of our own loops (core/parallel.h); 0, all cores, without it.
+/// CIRQUE_NUM_THREADS, the most threads of our own loops (core/parallel.h); 0, all cores, without
+/// it.
 int ThreadsByEnvironment();
 
 /// The number of threads that BLAS uses; 0 where that cannot be known.

@@ -12,8 +12,8 @@ namespace cirque {
 
 /// A program as a child of this process: reads `input`, and keeps what it prints. It ends with this
 /// process, however that ends; what asks this process to stop (Ctrl-C, SIGTERM to all processes of
-/// a cluster's job) it ignores. BLAS and our own loops use one thread in it unless the environment says
-/// otherwise.
+/// a cluster's job) it ignores. BLAS and our own loops use one thread in it unless the environment
+/// says otherwise.
 class ChildProcess {
  public:
   /// `command[0]` is the path of the program.
