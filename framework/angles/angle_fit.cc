@@ -102,7 +102,8 @@ Status FitAngles(const AngleFitProblem& problem,
                  const std::shared_ptr<const AngleObjective>& objective,
                  const AngleFitMethod& method, const SolveControl& control,
                  AngleFitResult* result) {
-  AngleFitProblem attempt{problem.constraints, problem.reference, FirstEpsilon(problem)};
+  AngleFitProblem attempt = problem;
+  attempt.epsilon = FirstEpsilon(problem);
   while (true) {
     *result = AngleFitResult();
     const Status status = method.Fit(attempt, objective, control, result);

@@ -11,8 +11,10 @@ namespace cirque {
 ///   every edge e.
 struct AngleFitProblem {
   const AngleConstraints& constraints;
-  const Eigen::VectorXd& reference;  ///< 3F [rad]
-  double epsilon;                    ///< margin [rad]
+  const Eigen::VectorXd& reference;        ///< 3F [rad]
+  double epsilon;                          ///< margin [rad]
+  const Eigen::VectorXd* start = nullptr;  ///< multipliers near the solution's, of one row each;
+                                           ///< null: 0. Methods need not use them
 };
 
 }  // namespace cirque

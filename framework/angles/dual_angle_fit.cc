@@ -16,7 +16,8 @@ Status DualAngleFit::Fit(const AngleFitProblem& problem,
     }
     return watch.Found(y) ? CallbackAction::kStop : CallbackAction::kContinue;
   };
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
+  Eigen::VectorXd y =
+      problem.start ? *problem.start : Eigen::VectorXd::Zero(energy.NumParameters()).eval();
   result->solve = strategy_->Minimize(energy, {observe, control.cancelled}, &y);
   if (result->solve.termination == Termination::kUnsupported) {
     return Status::InvalidInput("angle fit: " + result->solve.message);

@@ -33,6 +33,24 @@ double Area(const Triangulation& t, const EdgeLengths& lengths) {
   return area;
 }
 
+/// The faces and all that can be reached from them over that many edges.
+std::vector<bool> Neighbourhood(const Triangulation& t, std::vector<Index> faces, int edges) {
+  std::vector<bool> inside(t.num_faces(), false);
+  for (const Index f : faces) inside[f] = true;
+  for (int ring = 0; ring < edges; ++ring) {
+    std::vector<Index> reached;
+    for (const Index f : faces) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (t.twin[h] == kNone || inside[Triangulation::Face(t.twin[h])]) continue;
+        inside[Triangulation::Face(t.twin[h])] = true;
+        reached.push_back(Triangulation::Face(t.twin[h]));
+      }
+    }
+    faces = std::move(reached);
+  }
+  return inside;
+}
+
 /// One surface on its way to a flat metric.
 class Flattening {
  public:
@@ -62,14 +80,23 @@ class Flattening {
       if (status.ok() && result_.on_input.mirrored.empty()) return status;
       if (!status.ok() && !MayDoBetterOnInput(status)) return status;
       if (!status.ok()) break;
-      for (const Index f : result_.on_input.mirrored) {
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) locked[input_.edge[h]] = true;
-      }
+      Lock(result_.on_input.mirrored, rounds_solved_++, &locked);
     }
     return SolveOnInput();
   }
 
  private:
+  /// Keeps the edges of faces that came out mirrored: those faces then are faces of the pattern.
+  /// What is kept strains its surroundings, which may come out mirrored next; from the second time
+  /// on more and more of them is kept, until the border lies where little is to be flipped.
+  void Lock(const std::vector<Index>& mirrored, int round, std::vector<bool>* locked) const {
+    const int edges = round == 0 ? 0 : 1 << (2 * round);
+    const std::vector<bool> kept = Neighbourhood(input_, mirrored, edges);
+    for (Index h = 0; h < input_.num_halfedges(); ++h) {
+      if (kept[Triangulation::Face(h)]) (*locked)[input_.edge[h]] = true;
+    }
+  }
+
   static bool MayDoBetterOnInput(const Status& status) {
     return status.code() == StatusCode::kInfeasible || status.code() == StatusCode::kNotConverged;
   }
@@ -120,7 +147,8 @@ class Flattening {
     const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
     if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
-    const AngleFitProblem problem = {constraints, reference.value, options_.epsilon};
+    const AngleFitProblem problem = {constraints, reference.value, options_.epsilon,
+                                     StartOfFit(constraints)};
     AngleFitResult fit;
     Status status = cirque::FitAngles(problem, *objective, **method, control_, &fit);
     if (status.code() == StatusCode::kNotConverged && result_.intrinsic.flips.empty()) {
@@ -140,6 +168,13 @@ class Flattening {
     result_.angles = std::move(fit.angles);
     result_.multipliers = std::move(fit.multipliers);
     return status;
+  }
+
+  /// Another round changes the triangulation in a few places: its multipliers are nearly the last
+  /// round's.
+  const Eigen::VectorXd* StartOfFit(const AngleConstraints& constraints) const {
+    const bool fits = rounds_solved_ > 0 && result_.multipliers.size() == constraints.num_rows();
+    return fits ? &result_.multipliers : nullptr;
   }
 
   /// The dual can wander where no coherent angles exist, or hardly any, before its iterates prove
@@ -221,6 +256,7 @@ class Flattening {
   Certificate& certificate_;
   FlatSurface& result_;
   const double source_area_;
+  int rounds_solved_ = 0;                           ///< of the lazily constrained loop
   std::shared_ptr<const SolverStrategy> strategy_;  ///< of the radii
   std::unique_ptr<RadiiSystem> radii_system_;       ///< analysed while the angles are fitted
 };

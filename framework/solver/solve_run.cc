@@ -11,7 +11,7 @@ namespace {
 constexpr double kProgress =
     0.9;                        ///< a gradient below this share of the least one so far is progress
 constexpr double kDeep = 1e-8;  ///< only gradients below this share of the first may be rounding
-constexpr int kPatience = 4;    ///< steps without progress
+constexpr int kPatience = 2;    ///< steps without progress
 
 }  // namespace
 
