@@ -20,7 +20,8 @@
 namespace cirque {
 namespace {
 
-constexpr int kMaxRounds = 6;  ///< of locking and solving again
+constexpr int kMaxRounds = 6;            ///< of locking and solving again
+constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out mirrored
 constexpr char kRetry[] = "interior_point";
 
 double Area(const Triangulation& t, const EdgeLengths& lengths) {
@@ -90,7 +91,8 @@ class Flattening {
   /// What is kept strains its surroundings, which may come out mirrored next; from the second time
   /// on more and more of them is kept, until the border lies where little is to be flipped.
   void Lock(const std::vector<Index>& mirrored, int round, std::vector<bool>* locked) const {
-    const int edges = round == 0 ? 0 : 1 << (2 * round);
+    const double extent = std::sqrt(input_.num_faces());  // of the mesh, in edges
+    const int edges = static_cast<int>(round * kKeptShare * extent);
     const std::vector<bool> kept = Neighbourhood(input_, mirrored, edges);
     for (Index h = 0; h < input_.num_halfedges(); ++h) {
       if (kept[Triangulation::Face(h)]) (*locked)[input_.edge[h]] = true;
