@@ -35,7 +35,7 @@ const OptionTable<SolverLimits>& AutoOptionTable() {
 SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                     Eigen::VectorXd* x) const {
   SolveSummary summary;
-  if (UsesMultigrid(energy.NumParameters())) {
+  if (control.system_solver && UsesMultigrid(energy.NumParameters())) {
     const NewtonAmgStrategy newton_amg(WithLimits<NewtonAmgOptions>(limits_));
     summary = newton_amg.Minimize(energy, control, x);
     summary.strategy =
