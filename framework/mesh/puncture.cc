@@ -1,7 +1,6 @@
 #include "cirque/mesh/puncture.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
@@ -13,20 +12,6 @@ Index FirstCorner(const Triangulation& t, Index v) {
   const auto found = std::find(t.vertex.begin(), t.vertex.end(), v);
   CHECK(found != t.vertex.end()) << "vertex " << v << " has no corner";
   return static_cast<Index>(found - t.vertex.begin());
-}
-
-/// The vertices that are left get new numbers in their old order; kNone for the pole.
-std::vector<Index> NumberVertices(const Triangulation& t, PuncturedSurface* punctured) {
-  std::vector<Index> number(t.num_vertices, kNone);
-  for (const Index f : punctured->face) {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) number[t.vertex[h]] = 0;
-  }
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    if (number[v] == kNone) continue;
-    number[v] = static_cast<Index>(punctured->vertex.size());
-    punctured->vertex.push_back(v);
-  }
-  return number;
 }
 
 }  // namespace
@@ -56,31 +41,15 @@ StatusOr<PuncturedSurface> Puncture(const Triangulation& t, Index pole) {
   }
   PuncturedSurface punctured;
   punctured.pole = pole;
-  std::vector<bool> removed(t.num_faces(), false);
+  std::vector<bool> keep(t.num_faces(), true);
   for (const Index c : CornersAround(t, corner)) {
-    removed[Triangulation::Face(c)] = true;
+    keep[Triangulation::Face(c)] = false;
     punctured.link.push_back(t.Tail(c));
   }
-  std::vector<Index> face_number(t.num_faces(), kNone);
-  for (Index f = 0; f < t.num_faces(); ++f) {
-    if (removed[f]) continue;
-    face_number[f] = static_cast<Index>(punctured.face.size());
-    punctured.face.push_back(f);
-  }
-  if (punctured.face.empty()) {
+  if (std::find(keep.begin(), keep.end(), true) == keep.end()) {
     return Status::InvalidInput("all triangles meet in one vertex; there is nothing to map");
   }
-  const std::vector<Index> number = NumberVertices(t, &punctured);
-  std::vector<Index> vertex, twin;
-  for (const Index f : punctured.face) {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      vertex.push_back(number[t.vertex[h]]);
-      const Index other = face_number[Triangulation::Face(t.twin[h])];
-      twin.push_back(other == kNone ? kNone : 3 * other + t.twin[h] % 3);
-    }
-  }
-  const auto num_vertices = static_cast<Index>(punctured.vertex.size());
-  punctured.triangulation = NumberEdges(num_vertices, std::move(vertex), std::move(twin));
+  static_cast<SubTriangulation&>(punctured) = KeepFaces(t, keep);
   return punctured;
 }
 

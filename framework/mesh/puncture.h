@@ -4,16 +4,14 @@
 
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/mesh/sub_triangulation.h"
 
 namespace cirque {
 
-/// A closed surface without the open star of one vertex. Vertices and faces keep their order.
-struct PuncturedSurface {
-  Triangulation triangulation;
-  std::vector<Index> vertex;  ///< per vertex: its number in the closed surface
-  std::vector<Index> face;    ///< per face likewise; halfedge 3 f + k there is 3 face[f] + k here
-  std::vector<Index> link;    ///< the vertices next to the pole, around it, in the closed surface
-  Index pole = kNone;         ///< the vertex removed
+/// A closed surface without the open star of one vertex.
+struct PuncturedSurface : SubTriangulation {
+  std::vector<Index> link;  ///< the vertices next to the pole, around it, in the closed surface
+  Index pole = kNone;       ///< the vertex removed
 };
 
 /// The corners at a vertex of a closed surface in counter-clockwise order.

@@ -85,13 +85,11 @@ EdgeLengths InvertedLengths(const Surface& surface, const Triangulation& closed,
                             const EdgeLengths& lengths, const PuncturedSurface& punctured) {
   const std::vector<double> distance = RelativeDistances(surface, punctured.pole);
   const Triangulation& t = punctured.triangulation;
-  EdgeLengths inverted;
-  inverted.value.resize(t.num_edges());
+  EdgeLengths inverted = LengthsOf(punctured, closed, lengths);
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
-    const Index in_closed = closed.edge[3 * punctured.face[Triangulation::Face(h)] + h % 3];
-    inverted.value[e] = lengths.value[in_closed] / (distance[punctured.vertex[t.Tail(h)]] *
-                                                    distance[punctured.vertex[t.Tip(h)]]);
+    inverted.value[e] /=
+        distance[punctured.vertex[t.Tail(h)]] * distance[punctured.vertex[t.Tip(h)]];
   }
   return inverted;
 }

@@ -179,15 +179,7 @@ class SphereMapping {
     if (options_.inversion) {
       return InvertedLengths(surface_, intrinsic.triangulation, intrinsic.lengths, punctured);
     }
-    const Triangulation& t = punctured.triangulation;
-    EdgeLengths own;
-    own.value.resize(t.num_edges());
-    for (Index e = 0; e < t.num_edges(); ++e) {
-      const Index h = t.edge_halfedge[e];
-      const Index in_closed = 3 * punctured.face[Triangulation::Face(h)] + h % 3;
-      own.value[e] = intrinsic.lengths.value[intrinsic.triangulation.edge[in_closed]];
-    }
-    return own;
+    return LengthsOf(punctured, intrinsic.triangulation, intrinsic.lengths);
   }
 
   Status FlattenWithConvexLink(const PuncturedSurface& punctured, const EdgeLengths& lengths,
