@@ -37,6 +37,9 @@ class CirclePatternEnergy final : public Energy {
   ResidualForm residual_form() const override { return ResidualForm::kExact; }
   void AddResidualBlocks(double* rho, ceres::Problem* problem) const override;
 
+  /// That of the triangulation, for other weights on the same pattern.
+  const DualLaplacian& laplacian() const { return laplacian_; }
+
   /// The constant with 1/2 |r|^2 = S - ResidualOffset().
   double ResidualOffset() const;
 

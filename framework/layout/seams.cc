@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/mesh/corner_angles.h"
+
 namespace cirque {
 namespace {
 
@@ -85,9 +87,8 @@ double Diameter(const CornerUv& uv) {
 /// the rotations across the paths, and come back to what they were.
 double ConeMismatch(const Triangulation& t, const std::vector<Seam>& seams,
                     const CornerAngles& angles) {
-  std::vector<double> turn(t.num_vertices, 0);
+  std::vector<double> turn = VertexAngleSums(t, angles);
   std::vector<bool> on_cut(t.num_vertices, false);
-  for (Index c = 0; c < t.num_halfedges(); ++c) turn[t.vertex[c]] += angles.value[c];
   for (const Seam& seam : seams) {
     for (const Index h : seam.halfedges) {
       turn[t.Tip(h)] += seam.rotation;

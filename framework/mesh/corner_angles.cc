@@ -59,4 +59,10 @@ CornerAngles MeasureCornerAngles(const Triangulation& t, const EdgeLengths& leng
   return angles;
 }
 
+std::vector<double> VertexAngleSums(const Triangulation& t, const CornerAngles& angles) {
+  std::vector<double> sum(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  return sum;
+}
+
 }  // namespace cirque

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 
@@ -10,5 +12,8 @@ namespace cirque {
 /// 2014). A face that violates the triangle inequality gets angles 0, 0, pi, the pi opposite its
 /// longest edge.
 CornerAngles MeasureCornerAngles(const Triangulation& triangulation, const EdgeLengths& lengths);
+
+/// The sum of the corner angles at every vertex [rad].
+std::vector<double> VertexAngleSums(const Triangulation& triangulation, const CornerAngles& angles);
 
 }  // namespace cirque

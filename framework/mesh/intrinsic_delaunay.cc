@@ -20,18 +20,16 @@ constexpr double kJagged = 0.25;       // [rad]: mean distance of angle sums fro
 
 /// Whether the boundary vertices that are to be straight or reflex are far from it on average.
 bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
-  std::vector<double> sum(t.num_vertices, 0);
-  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
   const std::vector<bool> boundary = BoundaryVertices(t);
-  double bend = 0;
-  int count = 0;
+  std::vector<Index> straight;
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (!boundary[v] || targets.lower[v] < kPi) continue;
-    bend += std::abs(sum[v] - targets.lower[v]);
-    ++count;
+    if (boundary[v] && targets.lower[v] >= kPi) straight.push_back(v);
   }
-  return bend > kJagged * count;
+  if (straight.empty()) return false;
+  const std::vector<double> sum = VertexAngleSums(t, MeasureCornerAngles(t, lengths));
+  double bend = 0;
+  for (const Index v : straight) bend += std::abs(sum[v] - targets.lower[v]);
+  return bend > kJagged * static_cast<double>(straight.size());
 }
 
 /// The least number of corners with which each vertex can reach its target, lower_v < corners * pi

@@ -181,8 +181,7 @@ Status RunWithCones(const Job& job, Parameterization* result) {
 ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) {
   ConeTargets targets = FreeBoundaryTargets(t);
   const std::vector<bool> boundary = BoundaryVertices(t);
-  std::vector<double> sum(t.num_vertices, 0);
-  for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
+  const std::vector<double> sum = VertexAngleSums(t, angles);
   for (Index v = 0; v < t.num_vertices; ++v) {
     const bool cone = !boundary[v] && std::abs(sum[v] - 2 * kPi) > kFlatness;
     if (cone) targets.lower[v] = targets.upper[v] = sum[v];

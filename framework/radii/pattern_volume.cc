@@ -23,8 +23,8 @@ constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 /// The interior edges' angles and the Newton step that moves them.
 class Volume {
  public:
-  Volume(const Triangulation& t, const CoherentAngles& angles)
-      : num_faces_(t.num_faces()), laplacian_(t) {
+  Volume(const Triangulation& t, const CoherentAngles& angles, const DualLaplacian& laplacian)
+      : num_faces_(t.num_faces()), laplacian_(laplacian) {
     for (const Index h : t.edge_halfedge) {
       const Index g = t.twin[h];
       if (g == kNone) continue;
@@ -91,7 +91,7 @@ class Volume {
   }
 
   int num_faces_;
-  DualLaplacian laplacian_;
+  const DualLaplacian& laplacian_;
   std::vector<Edge> edges_;
 };
 
@@ -100,7 +100,7 @@ class Volume {
 SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
                                    const CirclePatternEnergy& energy, double gradient_max,
                                    SystemSolver* solver, Eigen::VectorXd* rho) {
-  Volume volume(t, angles);
+  Volume volume(t, angles, energy.laplacian());
   SolveSummary summary;
   HessianShift shift(energy);
   SparseMatrix lower;
