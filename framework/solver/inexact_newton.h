@@ -1,9 +1,25 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "cirque/core/option_table.h"
 #include "cirque/solver/solve_run.h"
 #include "cirque/solver/system_solver.h"
 
 namespace cirque {
+
+/// The rows of an option table for what every strategy on IterateInexactNewton has.
+template <class T>
+std::vector<typename OptionTable<T>::Field> InexactNewtonFields(const std::string& cg_limit_help) {
+  return {{"max_cg_iterations", &T::max_cg_iterations, 1, 1e6, {}, cg_limit_help},
+          {"forcing",
+           &T::forcing,
+           1e-10,
+           0.9,
+           {},
+           "relative residual of the first steps' linear systems"}};
+}
 
 /// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs
 /// (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared).

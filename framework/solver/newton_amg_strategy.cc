@@ -1,5 +1,7 @@
 #include "cirque/solver/newton_amg_strategy.h"
 
+#include <utility>
+
 #include "cirque/solver/inexact_newton.h"
 
 namespace cirque {
@@ -14,18 +16,10 @@ const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable() {
                       0,
                       {"boomeramg", "gamg"},
                       "the method; default: boomeramg where PETSc has hypre"});
-    fields.push_back({"max_cg_iterations",
-                      &Options::max_cg_iterations,
-                      1,
-                      1e6,
-                      {},
-                      "conjugate gradient iterations a system before factoring it"});
-    fields.push_back({"forcing",
-                      &Options::forcing,
-                      1e-10,
-                      0.9,
-                      {},
-                      "relative residual of the first steps' linear systems"});
+    for (auto& field : InexactNewtonFields<Options>(
+             "conjugate gradient iterations a system before factoring it")) {
+      fields.push_back(std::move(field));
+    }
     return fields;
   }());
   return kTable;

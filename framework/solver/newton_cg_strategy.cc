@@ -1,5 +1,7 @@
 #include "cirque/solver/newton_cg_strategy.h"
 
+#include <utility>
+
 #include "cirque/solver/inexact_newton.h"
 #include "cirque/solver/reused_factor.h"
 
@@ -9,18 +11,10 @@ const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
     auto fields = LimitFields<NewtonCgOptions>();
     fields.push_back({"linear_solver", &NewtonCgOptions::linear_solver, 0, 0,
                       LinearSolvers().Names(), "sparse Cholesky; default: the first"});
-    fields.push_back({"max_cg_iterations",
-                      &NewtonCgOptions::max_cg_iterations,
-                      1,
-                      1e6,
-                      {},
-                      "conjugate gradient iterations a step before factoring anew"});
-    fields.push_back({"forcing",
-                      &NewtonCgOptions::forcing,
-                      1e-10,
-                      0.9,
-                      {},
-                      "relative residual of the first steps' linear systems"});
+    for (auto& field : InexactNewtonFields<NewtonCgOptions>(
+             "conjugate gradient iterations a step before factoring anew")) {
+      fields.push_back(std::move(field));
+    }
     return fields;
   }());
   return kTable;

@@ -4,6 +4,7 @@
 
 #include "cirque/solver/amg_system_solver.h"
 
+#include "tests/solver/grid_matrix.h"
 #include "tests/solver/strategy_fixtures.h"
 
 namespace cirque {
@@ -13,30 +14,6 @@ using testing::Contains;
 using testing::HasSubstr;
 
 constexpr int kSide = 40;
-
-/// The Laplacian of a grid whose edges weigh 1 + spread * noise in [0, 1), plus a multiple of the
-/// identity.
-SparseMatrix GridMatrix(double diagonal, double spread = 0) {
-  std::vector<Eigen::Triplet<double>> entries;
-  unsigned state = 1;
-  const auto couple = [&](int i, int j) {
-    state = state * 1664525u + 1013904223u;
-    const double weight = 1 + spread * state / 4294967296.0;
-    entries.emplace_back(i, i, weight);
-    entries.emplace_back(j, j, weight);
-    entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
-  };
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      entries.emplace_back(y * kSide + x, y * kSide + x, diagonal);
-      if (x > 0) couple(y * kSide + x, y * kSide + x - 1);
-      if (y > 0) couple(y * kSide + x, y * kSide + x - kSide);
-    }
-  }
-  SparseMatrix lower(kSide * kSide, kSide * kSide);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
-}
 
 TEST(NewtonAmg, IsKnownByNameInEveryBuild) {
   EXPECT_THAT(KnownStrategyNames(), Contains("newton_amg"));
@@ -83,15 +60,15 @@ class AmgSystemSolverTest : public ::testing::TestWithParam<std::string> {
 
 TEST_P(AmgSystemSolverTest, SolvesToTheToleranceAndNotFarBeyond) {
   AmgSystemSolver solver({GetParam()});
-  EXPECT_LE(Residual(&solver, GridMatrix(1e-3), 1e-10), 1e-10);
-  EXPECT_GT(Residual(&solver, GridMatrix(1e-3), 1e-2), 1e-7);
+  EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3), 1e-10), 1e-10);
+  EXPECT_GT(Residual(&solver, GridMatrix(kSide, 1e-3), 1e-2), 1e-7);
   EXPECT_EQ(solver.Remark(), "");
 }
 
 TEST_P(AmgSystemSolverTest, AHierarchyServesWhatChangesLittle) {
   AmgSystemSolver solver({GetParam()});
   for (const double spread : {0.0, 0.1, 0.2}) {
-    EXPECT_LE(Residual(&solver, GridMatrix(1e-3, spread), 1e-8), 1e-8);
+    EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3, spread), 1e-8), 1e-8);
     EXPECT_EQ(summary_.factorizations, 1);
     EXPECT_EQ(summary_.symbolic_analyses, 1);
   }
@@ -101,15 +78,15 @@ TEST_P(AmgSystemSolverTest, AHierarchyServesWhatChangesLittle) {
 
 TEST_P(AmgSystemSolverTest, LargeChangesGetTheirOwn) {
   AmgSystemSolver solver({GetParam()});
-  EXPECT_LE(Residual(&solver, GridMatrix(1e-3), 1e-8), 1e-8);
-  EXPECT_LE(Residual(&solver, GridMatrix(1e-3, 1e3), 1e-8), 1e-8);
+  EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3), 1e-8), 1e-8);
+  EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3, 1e3), 1e-8), 1e-8);
   EXPECT_EQ(summary_.factorizations, 2);
   EXPECT_EQ(solver.Remark(), "");
 }
 
 TEST_P(AmgSystemSolverTest, AnotherPatternIsAnotherSystem) {
   AmgSystemSolver solver({GetParam()});
-  EXPECT_LE(Residual(&solver, GridMatrix(1e-3), 1e-8), 1e-8);
+  EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3), 1e-8), 1e-8);
   SparseMatrix band(50, 50);
   for (int i = 0; i < 50; ++i) {
     for (int j = i; j < std::min(i + 6, 50); ++j) band.insert(j, i) = i == j ? 11 : -1;
@@ -120,13 +97,13 @@ TEST_P(AmgSystemSolverTest, AnotherPatternIsAnotherSystem) {
 
 TEST_P(AmgSystemSolverTest, WhatDoesNotConvergeIsFactoredAndSaidToBe) {
   AmgSystemSolver solver({GetParam(), 1});
-  for (int i = 0; i < 3; ++i) EXPECT_LE(Residual(&solver, GridMatrix(1e-3), 1e-10), 1e-10);
+  for (int i = 0; i < 3; ++i) EXPECT_LE(Residual(&solver, GridMatrix(kSide, 1e-3), 1e-10), 1e-10);
   EXPECT_EQ(solver.Remark(), "3 of 3 systems factored: multigrid did not converge");
 }
 
 TEST_P(AmgSystemSolverTest, AnIndefiniteMatrixIsRefused) {
   AmgSystemSolver solver({GetParam()});
-  const SparseMatrix lower = GridMatrix(-0.5);
+  const SparseMatrix lower = GridMatrix(kSide, -0.5);
   Eigen::VectorXd x;
   EXPECT_FALSE(solver.Solve(lower, Eigen::VectorXd::Ones(lower.cols()), 1e-8, &x, &summary_));
   EXPECT_EQ(solver.Remark(), "");

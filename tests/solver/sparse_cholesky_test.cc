@@ -1,32 +1,11 @@
 #include "cirque/solver/sparse_cholesky.h"
 
-#include <random>
-
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+
+#include "tests/solver/grid_matrix.h"
 
 namespace cirque {
 namespace {
-
-/// A grid Laplacian plus a diagonal: sparse, positive definite.
-SparseMatrix GridMatrix(int n, double diagonal) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto couple = [&](int i, int j) {
-    entries.emplace_back(i, i, 1);
-    entries.emplace_back(j, j, 1);
-    entries.emplace_back(std::max(i, j), std::min(i, j), -1);
-  };
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < n; ++x) {
-      entries.emplace_back(y * n + x, y * n + x, diagonal);
-      if (x > 0) couple(y * n + x, y * n + x - 1);
-      if (y > 0) couple(y * n + x, y * n + x - n);
-    }
-  }
-  SparseMatrix lower(n * n, n * n);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
-}
 
 class EveryLinearSolver : public ::testing::TestWithParam<std::string> {
  protected:
