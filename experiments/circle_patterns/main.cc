@@ -56,6 +56,11 @@ DEFINE_int32(cone_budget, cirque::ParameterizeOptions().cone_budget,
              "the most cones; -1: as the heuristic has it");
 DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,
               "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS");
+DEFINE_string(refine_map, "",
+              "NAME or NAME:KEY=VALUE,...: moves the finished map to less distortion, cones and "
+              "seams kept; mips or quasi_conformal");
+DEFINE_string(seams, cirque::ParameterizeOptions().seams,
+              "rigid: the two sides of a cut stay congruent; free: cones only choose the cut");
 DEFINE_int32(refine_cones, cirque::ParameterizeOptions().refine_cones,
              "steps that lower the realised area distortion by the cones' angles");
 DEFINE_string(cut_cost, cirque::ParameterizeOptions().cut_cost,
@@ -171,6 +176,8 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
                  .cone_budget = FLAGS_cone_budget,
                  .cone_angles = FLAGS_cone_angles,
                  .refine_cones = FLAGS_refine_cones,
+                 .refine_map = FLAGS_refine_map,
+                 .seams = FLAGS_seams,
                  .cut_cost = FLAGS_cut_cost,
                  .edge_costs = FLAGS_edge_costs,
                  .epsilon = FLAGS_epsilon,

@@ -86,6 +86,11 @@ std::string Summary(const Certificate& c) {
                     value("refinement_steps"), value("refinement_area_distortion_before"),
                     value("refinement_area_distortion_after"));
   }
+  if (value("map_refinement_steps") >= 0) {
+    text += fmt::format("refinement  {:.0f} steps, objective {:.6g} to {:.6g}\n",
+                        value("map_refinement_steps"), value("map_refinement_before"),
+                        value("map_refinement_after"));
+  }
   return text + DomainSummary(c);
 }
 

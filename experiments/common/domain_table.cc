@@ -29,8 +29,8 @@ const std::vector<Domain>& Domains() {
   static const std::vector<Domain> kTable = {
       {"plane",
        {"iv", "angle_sums", "ie", "cut_paths", "oc", "flip_back", "ic", "no", "layout", "cones",
-        "cone_budget", "cone_angles", "refine_cones", "cut_cost", "edge_costs", "measures",
-        "fill_holes"},
+        "cone_budget", "cone_angles", "refine_cones", "refine_map", "seams", "cut_cost",
+        "edge_costs", "measures", "fill_holes"},
        nullptr},
       {"sphere",
        {"pole", "normalization", "principal_axes", "inversion", "latlong", "layout"},

@@ -28,6 +28,7 @@ struct Certificate {
   ///   rho)
   /// - layout: layout_closure (over all edges), flipped_triangles (exact), cones, patches, seams,
   ///   seam_length_mismatch, seam_rotation_mismatch, seam_gap, cone_rotation_mismatch,
+  ///   map_refinement_steps, map_refinement_before, ..._after (RefineMap),
   ///   rotation_order (n: the rotations across seams are exact multiples of 2 pi / n; 0: are not)
   /// - cones: cone_repairs (rounds), cones_moved, cones_widened (RepairCones); refinement_steps,
   ///   refinement_solves, refinement_area_distortion_before, ..._after (RefineCones); cut_length

@@ -18,6 +18,12 @@ struct ParameterizeOptions {
   int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
   int refine_cones = 0;  ///< steps that lower the realised area distortion by the cones' angles
+  /// A name of MapObjectives(), with options as in "mips:steps=5", by which the finished map is
+  /// refined (RefineMap); empty: not at all.
+  std::string refine_map;
+  /// "rigid": the two sides of a cut stay congruent, the metric is flat but for the cones. "free":
+  /// cones only choose the cut, and the surface opened along it gets a free boundary.
+  std::string seams = "rigid";
   std::string cut_cost =
       "flat_length";         ///< a word of CutCostWords(): what the cut shall be short in
   std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none

@@ -19,6 +19,7 @@
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/map_measures.h"
 #include "cirque/pipeline/refine_cones.h"
+#include "cirque/pipeline/refine_layout.h"
 #include "cirque/pipeline/repair_cones.h"
 #include "cirque/pipeline/snap_rotations.h"
 
@@ -95,6 +96,9 @@ Status LayOut(const Job& job, Parameterization* result) {
   PlanarLayout& layout = *laid_out;
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
+    const Status refined = RefineLayout(t, job.lengths, flat, *cut, cones, job.options.refine_map,
+                                        job.control.cancelled, &layout, &certificate);
+    if (!refined.ok()) return refined;
     Arrange(t, result->targets, cones, flat, *cut, &layout, &certificate);
     flipped = FlippedFaces(t, layout.uv);
   }
@@ -116,21 +120,44 @@ Status LayOut(const Job& job, Parameterization* result) {
   return Status();
 }
 
+Status FlattenAsAsked(const Job& job, Parameterization* result) {
+  return Flatten(job.t, job.lengths, result->targets, job.options, job.control,
+                 &result->certificate, &result->flat);
+}
+
+/// With seams that shall stay congruent, nothing; else the surface opened along the cut, whose
+/// boundary then is free, is flattened instead. It has coherent angles since the whole one has.
+Status FreeSeams(const Job& job, Parameterization* result) {
+  const std::vector<Index> cones = ConeVertices(job.t, result->targets);
+  StatusOr<Cut> cut = ChooseCut(job, result->flat.on_input, cones);
+  if (!cut.ok()) return cut.status();
+  const Triangulation open = CutOpen(job.t, *cut);
+  EdgeLengths lengths{Eigen::VectorXd(open.num_edges())};
+  for (Index e = 0; e < open.num_edges(); ++e) {
+    lengths.value[e] = job.lengths.value[job.t.edge[open.edge_halfedge[e]]];
+  }
+  const Cut none{std::vector<bool>(open.num_edges(), false)};
+  const Job opened{open, lengths, job.file, &none, job.options, job.control};
+  result->targets = FreeBoundaryTargets(open);
+  Status status = FlattenAsAsked(opened, result);
+  if (status.ok()) status = LayOut(opened, result);
+  auto& values = result->certificate.values;
+  values["cones"] = static_cast<double>(cones.size());
+  values["cut_length"] = RelativeCutLength(job.t, job.lengths, cut->edge);
+  result->cut = *std::move(cut);
+  return status;
+}
+
 Status LayOutAndMeasure(const Job& job, Parameterization* result) {
   Certificate& certificate = result->certificate;
   const Timer layout_timer;
-  const Status status = LayOut(job, result);
+  const Status status = job.options.seams == "free" ? FreeSeams(job, result) : LayOut(job, result);
   certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
   PutMeasures(job.t, job.lengths, result);
   certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
-}
-
-Status FlattenAsAsked(const Job& job, Parameterization* result) {
-  return Flatten(job.t, job.lengths, result->targets, job.options, job.control,
-                 &result->certificate, &result->flat);
 }
 
 Status Run(const Job& job, Parameterization* result) {
@@ -144,7 +171,16 @@ Status Run(const Job& job, Parameterization* result) {
   return LayOutAndMeasure(job, result);
 }
 
+/// What would else be found wrong only after the solve.
+Status CheckOptions(const ParameterizeOptions& options) {
+  if (options.seams != "rigid" && options.seams != "free") {
+    return Status::InvalidInput(UnknownName("seams", options.seams, {"rigid", "free"}));
+  }
+  return CheckRefineMap(options.refine_map);
+}
+
 Status RunWithTargets(const Job& job, Parameterization* result) {
+  if (Status s = CheckOptions(job.options); !s.ok()) return s;
   const Status status = FlattenAsAsked(job, result);
   return status.ok() ? Run(job, result) : status;
 }
@@ -168,6 +204,7 @@ Status FlattenAndRepair(const Job& job, Parameterization* result) {
 }
 
 Status RunWithCones(const Job& job, Parameterization* result) {
+  if (Status s = CheckOptions(job.options); !s.ok()) return s;
   const Timer timer;
   StatusOr<ConeTargets> targets = PlaceCones(job.t, job.lengths, job.file, job.options);
   result->certificate.seconds["cones"] = timer.Seconds();

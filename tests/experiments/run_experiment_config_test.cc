@@ -56,7 +56,9 @@ const std::vector<BadConfig>& BadConfigs() {
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "domain, triangulation, angle_fit, "
-       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, cut_cost, "
+       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, "
+       "refine_map, "
+       "seams, cut_cost, "
        "edge_costs, epsilon, "
        "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
@@ -208,7 +210,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
           "    - file: a.obj\n            ^\n" +  //
           path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
           "domain, triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
-          "cone_angles, refine_cones, cut_cost, edge_costs, epsilon, max_iterations\n    "
+          "cone_angles, refine_cones, refine_map, seams, cut_cost, edge_costs, epsilon, "
+          "max_iterations\n    "
           "- nam: a\n      "
           "^\n" +  //
           path +

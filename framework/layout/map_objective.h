@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "cirque/core/registry.h"
+
+namespace cirque {
+
+/// What a refinement of a map lowers: the area-weighted mean over the faces of a function of
+/// m = |mu| in [0, 1), mu = f_zbar / f_z the Beltrami coefficient of the map on the face. The ratio
+/// of the singular values there is (1 + m) / (1 - m).
+struct MapObjective {
+  std::function<double(double m)> value;   ///< 0 at 0, increasing, infinite at 1
+  std::function<double(double m)> weight;  ///< value'(m) / m, finite and positive also at 0
+};
+
+/// - `mips`: the ratio q of the singular values plus 1/q minus 2, that is 4 m^2 / (1 - m^2)
+///   (Hormann, Greiner, MIPS: an efficient global parametrization method, 2000): smooth, and hard
+///   on the worst triangles
+/// - `quasi_conformal`: q - 1 = 2 m / (1 - m), whose mean is what programs are compared by; rounded
+///   off below m = 1e-4. It converges slowly, and lets single triangles go.
+const Registry<MapObjective>& MapObjectives();
+
+}  // namespace cirque

@@ -1,0 +1,153 @@
+#include "cirque/layout/refine_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "cirque/layout/beltrami_system.h"
+#include "cirque/math/predicates.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kSeamRounds = 4;          ///< of multipliers: each takes some five digits off gaps
+constexpr double kShortestStep = 1e-5;  ///< of a line search
+constexpr double kSufficient = 1e-4;    ///< share of the predicted decrease that a step must bring
+
+class Refiner {
+ public:
+  Refiner(const Triangulation& open, const std::vector<SeamConstraint>& constraints,
+          BeltramiSystem* system, Eigen::VectorXcd z)
+      : open_(open),
+        constraints_(constraints),
+        system_(*system),
+        z_(std::move(z)),
+        value_(system->Value(z_)) {}
+
+  double value() const { return value_; }
+  const Eigen::VectorXcd& z() const { return z_; }
+
+  /// False when no step lowers the objective in floating point.
+  bool Step() {
+    system_.Linearize(z_);
+    if (!cholesky_.Factorize(system_.lower())) return false;
+    const Eigen::VectorXcd direction = Direction();
+    // The objective's derivative along the direction is that of the model, by its weight.
+    const double slope = system_.gradient().dot(direction).real();
+    if (!direction.allFinite() || !(slope < 0)) return false;
+    for (double length = 1; length > kShortestStep; length /= 2) {
+      const Eigen::VectorXcd next = z_ + length * direction;
+      const double value = system_.Value(next);
+      if (value <= value_ + kSufficient * length * slope && KeepsOrientation(next)) {
+        z_ = next;
+        value_ = value;
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// The model's minimum among the steps that close the seams.
+  Eigen::VectorXcd Direction() const {
+    const auto count = static_cast<Eigen::Index>(constraints_.size());
+    Eigen::VectorXcd multiplier = Eigen::VectorXcd::Zero(count);
+    Eigen::VectorXcd step = Eigen::VectorXcd::Zero(z_.size());
+    const int rounds = count == 0 ? 1 : kSeamRounds;
+    for (int round = 0; round < rounds; ++round) {
+      Eigen::VectorXcd right_side = -system_.gradient();
+      for (Eigen::Index c = 0; c < count; ++c) {
+        const SeamConstraint& seam = constraints_[c];
+        const std::complex<double> pull = multiplier[c] + system_.penalty()[c] * seam(z_);
+        for (int k = 0; k < 4; ++k) right_side[seam.vertex[k]] -= std::conj(seam.factor[k]) * pull;
+      }
+      step = cholesky_.Solve(right_side);
+      for (Eigen::Index c = 0; c < count; ++c) {
+        multiplier[c] += system_.penalty()[c] * (constraints_[c](z_) + constraints_[c](step));
+      }
+    }
+    return step;
+  }
+
+  bool KeepsOrientation(const Eigen::VectorXcd& z) const {
+    for (Index h = 0; h < open_.num_halfedges(); h += 3) {
+      const auto at = [&](Index corner) {
+        const std::complex<double> p = z[open_.vertex[corner]];
+        return Eigen::Vector2d(p.real(), p.imag());
+      };
+      if (OrientationSign(at(h), at(h + 1), at(h + 2)) <= 0) return false;
+    }
+    return true;
+  }
+
+  const Triangulation& open_;
+  const std::vector<SeamConstraint>& constraints_;
+  BeltramiSystem& system_;
+  HermitianCholesky cholesky_;
+  Eigen::VectorXcd z_;
+  double value_;
+};
+
+Eigen::VectorXcd PositionsOf(const Triangulation& open, const CornerUv& uv) {
+  Eigen::VectorXcd z(open.num_vertices);
+  for (Index c = 0; c < open.num_halfedges(); ++c) {
+    z[open.vertex[c]] = {uv.value[c].x(), uv.value[c].y()};
+  }
+  return z;
+}
+
+double ImageArea(const CornerUv& uv) {
+  double twice = 0;
+  for (std::size_t c = 0; c < uv.value.size(); c += 3) {
+    const Eigen::Vector2d a = uv.value[c + 1] - uv.value[c], b = uv.value[c + 2] - uv.value[c];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+/// The positions as UVs, scaled about the origin to the area that the UVs had.
+void WritePositions(const Triangulation& open, const Eigen::VectorXcd& z, CornerUv* uv) {
+  const double area = ImageArea(*uv);
+  for (Index c = 0; c < open.num_halfedges(); ++c) {
+    const std::complex<double> p = z[open.vertex[c]];
+    uv->value[c] = {p.real(), p.imag()};
+  }
+  const double scale = std::sqrt(area / ImageArea(*uv));
+  for (Eigen::Vector2d& p : uv->value) p *= scale;
+}
+
+}  // namespace
+
+const OptionTable<RefineMapOptions>& RefineMapOptionTable() {
+  using O = RefineMapOptions;
+  static const OptionTable<O> kTable(
+      "refine_map", {{"steps", &O::steps, 1, 1e6, {}, "the most steps"},
+                     {"decrease", &O::decrease, 0, 1, {}, "share of the objective to go on for"}});
+  return kTable;
+}
+
+StatusOr<MapRefinement> RefineMap(const Triangulation& t, const CornerAngles& angles,
+                                  const EdgeLengths& lengths, const Cut& cut,
+                                  const std::vector<Seam>& seams, const MapObjective& objective,
+                                  const RefineMapOptions& options,
+                                  const std::atomic<bool>* cancelled, CornerUv* uv) {
+  const Triangulation open = CutOpen(t, cut);
+  const std::vector<SeamConstraint> constraints = SeamConstraints(t, open, seams);
+  BeltramiSystem system(t, open, angles, lengths, constraints, objective);
+  Refiner refiner(open, constraints, &system, PositionsOf(open, *uv));
+  MapRefinement result{0, refiner.value(), refiner.value()};
+  while (result.steps < options.steps) {
+    if (cancelled && *cancelled)
+      return Status(StatusCode::kCancelled, "refinement of the map: interrupted");
+    if (!refiner.Step()) break;
+    ++result.steps;
+    const double decrease = result.after - refiner.value();
+    result.after = refiner.value();
+    if (decrease <= options.decrease * result.after) break;
+  }
+  if (result.steps > 0) WritePositions(open, refiner.z(), uv);
+  return result;
+}
+
+}  // namespace cirque

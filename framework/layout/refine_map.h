@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+
+#include "cirque/core/cut.h"
+#include "cirque/core/metric.h"
+#include "cirque/core/option_table.h"
+#include "cirque/core/status.h"
+#include "cirque/layout/map_objective.h"
+#include "cirque/layout/seams.h"
+
+namespace cirque {
+
+struct RefineMapOptions {
+  int steps = 20;          ///< the most
+  double decrease = 1e-4;  ///< ends when a step lowers the objective by less than this share
+};
+
+const OptionTable<RefineMapOptions>& RefineMapOptionTable();
+
+/// What became of the objective.
+struct MapRefinement {
+  int steps = 0;
+  double before = 0, after = 0;
+};
+
+/// Moves the UVs of a map without flipped faces to where the objective is less, while every seam
+/// keeps its rotation and its two sides stay congruent: among all maps with the same cone angles
+/// and transitions, towards the least distorted. The circle pattern's own map is conformal in the
+/// limit of fine meshes; on the mesh at hand this takes away what its angle fit, which cannot see
+/// the finished map, leaves.
+///
+/// Gauss-Newton: with a complex number z_i per vertex of the opened surface the Beltrami
+/// coefficient of a face, mu = sum z_i G_i / sum z_i conj(G_i), is holomorphic in z, so a step
+/// solves one Hermitian system sum A w J* J with A the faces' areas, w the objective's weight and
+/// J = d mu / d z; the seams hold by augmented Lagrangians with the same factor. The line search
+/// admits no face with |mu| >= 1 and, by exact arithmetic, none that is flipped. The image keeps
+/// its area. Faces of no area take no part, but stay as they are oriented.
+///
+/// `angles`, `lengths`: of the surface. `seams`: of MeasureSeams. Errors: cancelled.
+StatusOr<MapRefinement> RefineMap(const Triangulation& triangulation, const CornerAngles& angles,
+                                  const EdgeLengths& lengths, const Cut& cut,
+                                  const std::vector<Seam>& seams, const MapObjective& objective,
+                                  const RefineMapOptions& options,
+                                  const std::atomic<bool>* cancelled, CornerUv* uv);
+
+}  // namespace cirque

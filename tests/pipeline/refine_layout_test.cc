@@ -1,0 +1,112 @@
+#include "cirque/pipeline/refine_layout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/cuts/check_cut.h"
+#include "cirque/layout/map_objective.h"
+#include "cirque/layout/seams.h"
+#include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/parameterize.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+
+Parameterization MapOf(const Surface& surface, const ParameterizeOptions& options) {
+  Parameterization map;
+  const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+  EXPECT_TRUE(status.ok()) << status.message();
+  return map;
+}
+
+double Distortion(const Parameterization& map) {
+  return map.certificate.values.at("quasi_conformal_mean") - 1;
+}
+
+TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
+  for (const char* surface_name : {"bumpy_terrain", "blob", "torus", "double_torus"}) {
+    const Surface surface = GeneratedSurface(surface_name, 1000);
+    const Triangulation& t = surface.triangulation;
+    const Parameterization plain = MapOf(surface, {});
+    for (const std::string& name : MapObjectives().Names()) {
+      SCOPED_TRACE(std::string(surface_name) + " " + name);
+      ParameterizeOptions options;
+      options.refine_map = name;
+      const Parameterization refined = MapOf(surface, options);
+      EXPECT_LT(Distortion(refined), 0.99 * Distortion(plain));
+      EXPECT_TRUE(FlippedFaces(t, refined.uv).empty());
+      const auto& values = refined.certificate.values;
+      EXPECT_GE(values.at("map_refinement_steps"), 1);
+      EXPECT_LT(values.at("map_refinement_after"), values.at("map_refinement_before"));
+      EXPECT_EQ(refined.cut.edge, plain.cut.edge);
+      // Every seam turns by what it turned, and the cones' angles are what was asked for.
+      EXPECT_LT(values.at("seam_gap"), 1e-12);
+      EXPECT_LT(values.at("seam_rotation_mismatch"), 1e-9);
+      EXPECT_LT(values.at("cone_rotation_mismatch"), 1e-9);
+      const std::vector<Index> cones = ConeVertices(t, plain.targets);
+      const auto rotations = [&](const Parameterization& map) {
+        return MeasureSeams(t, map.cut, cones, map.flat.on_input.angles, map.uv).seams;
+      };
+      const std::vector<Seam> before = rotations(plain), after = rotations(refined);
+      ASSERT_EQ(before.size(), after.size());
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_NEAR(std::remainder(before[i].rotation - after[i].rotation, 2 * kPi), 0, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(FreeSeams, OpenTheSurfaceAlongTheCutOfItsCones) {
+  for (const char* surface_name : {"blob", "torus", "double_torus"}) {
+    SCOPED_TRACE(surface_name);
+    const Surface surface = GeneratedSurface(surface_name, 1000);
+    ParameterizeOptions options;
+    const Parameterization rigid = MapOf(surface, options);
+    options.seams = "free";
+    const Parameterization open = MapOf(surface, options);
+    EXPECT_EQ(open.cut.edge, rigid.cut.edge);
+    EXPECT_EQ(open.certificate.values.at("cones"), rigid.certificate.values.at("cones"));
+    EXPECT_EQ(open.certificate.values.at("cut_length"), rigid.certificate.values.at("cut_length"));
+    EXPECT_LT(Distortion(open), Distortion(rigid));
+    EXPECT_TRUE(FlippedFaces(surface.triangulation, open.uv).empty());
+    // What is given up: the sides of the cut are not congruent any more.
+    const std::vector<Index> cones = ConeVertices(surface.triangulation, rigid.targets);
+    const SeamReport seams =
+        MeasureSeams(surface.triangulation, open.cut, cones, rigid.flat.on_input.angles, open.uv);
+    EXPECT_GT(seams.max_length_mismatch, 1e-3);
+  }
+}
+
+TEST(FreeSeams, AreTheSameWhereNothingIsCut) {
+  const Surface surface = GeneratedSurface("bumpy_terrain", 500);
+  ParameterizeOptions options;
+  const Parameterization rigid = MapOf(surface, options);
+  options.seams = "free";
+  EXPECT_EQ(MapOf(surface, options).uv.value, rigid.uv.value);
+}
+
+TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
+  const Surface surface = GeneratedSurface("blob", 500);
+  const auto refusal = [&](const ParameterizeOptions& options) {
+    Parameterization map;
+    const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+    EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+    EXPECT_EQ(map.certificate.seconds.count("angles"), 0);
+    return status.message();
+  };
+  ParameterizeOptions options;
+  options.refine_map = "mipz";
+  EXPECT_THAT(refusal(options), HasSubstr("did you mean 'mips'"));
+  options.refine_map = "mips:steps=0";
+  EXPECT_THAT(refusal(options), HasSubstr("steps = '0' is not an integer in [1, 1e+06]"));
+  options.refine_map.clear();
+  options.seams = "fixed";
+  EXPECT_THAT(refusal(options), HasSubstr("unknown seams 'fixed'"));
+}
+
+}  // namespace
+}  // namespace cirque

@@ -1,0 +1,42 @@
+#include "cirque/solver/hermitian_cholesky.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace cirque {
+namespace {
+
+/// B* B + shift for a banded B of random numbers.
+Eigen::MatrixXcd BandedHermitian(int n, double shift) {
+  std::srand(7);
+  Eigen::MatrixXcd b = Eigen::MatrixXcd::Zero(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = std::max(0, i - 2); j < std::min(n, i + 3); ++j) {
+      b(i, j) = {std::rand() / (RAND_MAX + 1.0) - 0.5, std::rand() / (RAND_MAX + 1.0) - 0.5};
+    }
+  }
+  return b.adjoint() * b + shift * Eigen::MatrixXcd::Identity(n, n);
+}
+
+ComplexSparseMatrix Lower(const Eigen::MatrixXcd& dense) {
+  return ComplexSparseMatrix(dense.sparseView()).triangularView<Eigen::Lower>();
+}
+
+TEST(HermitianCholesky, SolvesOnePatternWithSeveralValues) {
+  HermitianCholesky cholesky;
+  for (const double shift : {1.0, 0.1}) {
+    const Eigen::MatrixXcd a = BandedHermitian(40, shift);
+    ASSERT_GT(a.imag().cwiseAbs().maxCoeff(), 0.1);
+    const Eigen::VectorXcd x = Eigen::VectorXcd::Random(40);
+    ASSERT_TRUE(cholesky.Factorize(Lower(a)));
+    EXPECT_LT((cholesky.Solve(a * x) - x).norm(), 1e-12 * x.norm());
+  }
+}
+
+TEST(HermitianCholesky, RefusesAnIndefiniteMatrix) {
+  HermitianCholesky cholesky;
+  EXPECT_FALSE(cholesky.Factorize(Lower(BandedHermitian(40, -1))));
+}
+
+}  // namespace
+}  // namespace cirque
