@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
 #include "cirque/layout/beltrami_system.h"
@@ -11,9 +12,13 @@
 namespace cirque {
 namespace {
 
-constexpr int kSeamRounds = 4;          ///< of multipliers: each takes some five digits off gaps
+constexpr int kSeamRounds = 12;         ///< the most; two or three take all digits off most gaps
+constexpr double kSeamDecrease = 0.25;  ///< of the violation squared, that a round must bring
 constexpr double kShortestStep = 1e-5;  ///< of a line search
 constexpr double kSufficient = 1e-4;    ///< share of the predicted decrease that a step must bring
+
+/// Where the image spans more orders of magnitude than doubles hold digits, seams would open.
+constexpr double kSeamTolerance = 1e-8;
 
 class Refiner {
  public:
@@ -40,6 +45,7 @@ class Refiner {
       const Eigen::VectorXcd next = z_ + length * direction;
       const double value = system_.Value(next);
       if (value <= value_ + kSufficient * length * slope && KeepsOrientation(next)) {
+        if (SeamError(next) > kSeamTolerance) return false;
         z_ = next;
         value_ = value;
         return true;
@@ -49,25 +55,48 @@ class Refiner {
   }
 
  private:
-  /// The model's minimum among the steps that close the seams.
+  /// The model's minimum among the steps that close the seams: rounds of multipliers, until they
+  /// bring nothing.
   Eigen::VectorXcd Direction() const {
     const auto count = static_cast<Eigen::Index>(constraints_.size());
     Eigen::VectorXcd multiplier = Eigen::VectorXcd::Zero(count);
-    Eigen::VectorXcd step = Eigen::VectorXcd::Zero(z_.size());
-    const int rounds = count == 0 ? 1 : kSeamRounds;
-    for (int round = 0; round < rounds; ++round) {
-      Eigen::VectorXcd right_side = -system_.gradient();
-      for (Eigen::Index c = 0; c < count; ++c) {
-        const SeamConstraint& seam = constraints_[c];
-        const std::complex<double> pull = multiplier[c] + system_.penalty()[c] * seam(z_);
-        for (int k = 0; k < 4; ++k) right_side[seam.vertex[k]] -= std::conj(seam.factor[k]) * pull;
-      }
-      step = cholesky_.Solve(right_side);
-      for (Eigen::Index c = 0; c < count; ++c) {
-        multiplier[c] += system_.penalty()[c] * (constraints_[c](z_) + constraints_[c](step));
-      }
+    Eigen::VectorXcd open = Violation(z_), step;
+    double violation = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kSeamRounds; ++round) {
+      step = cholesky_.Solve(PulledGradient(multiplier, open));
+      if (count == 0) break;
+      const Eigen::VectorXcd left = open + Violation(step);
+      const Eigen::VectorXcd force = system_.penalty().cwiseProduct(left);
+      const double remaining = std::abs(force.dot(left));
+      if (!(remaining < kSeamDecrease * violation)) break;
+      violation = remaining;
+      multiplier += force;
     }
     return step;
+  }
+
+  Eigen::VectorXcd Violation(const Eigen::VectorXcd& z) const {
+    Eigen::VectorXcd violation(static_cast<Eigen::Index>(constraints_.size()));
+    for (Eigen::Index c = 0; c < violation.size(); ++c) violation[c] = constraints_[c](z);
+    return violation;
+  }
+
+  /// The largest violation, relative to the size of the image.
+  double SeamError(const Eigen::VectorXcd& z) const {
+    if (constraints_.empty()) return 0;
+    return Violation(z).cwiseAbs().maxCoeff() / (z.array() - z[0]).abs().maxCoeff();
+  }
+
+  /// -gradient - C* (multiplier + P open), the right side of a round.
+  Eigen::VectorXcd PulledGradient(const Eigen::VectorXcd& multiplier,
+                                  const Eigen::VectorXcd& open) const {
+    Eigen::VectorXcd result = -system_.gradient();
+    for (Eigen::Index c = 0; c < multiplier.size(); ++c) {
+      const SeamConstraint& seam = constraints_[c];
+      const std::complex<double> pull = multiplier[c] + system_.penalty()[c] * open[c];
+      for (int k = 0; k < 4; ++k) result[seam.vertex[k]] -= std::conj(seam.factor[k]) * pull;
+    }
+    return result;
   }
 
   bool KeepsOrientation(const Eigen::VectorXcd& z) const {
