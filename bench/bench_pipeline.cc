@@ -1,6 +1,7 @@
 // From a surface to its map with all defaults, for the surface of every generator; and each angle
-// objective and strategy of the log radii on one of them.
+// objective, strategy of the log radii and refinement of the map on one of them.
 #include "cirque/energy/angle_objective.h"
+#include "cirque/layout/map_objective.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/solver/solver_strategy.h"
@@ -49,6 +50,11 @@ void Register(const std::string& name, const std::string& generator,
     ParameterizeOptions options;
     options.strategy = strategy;
     Register("strategy:" + strategy, "bumpy_terrain", options, {kSmall});
+  }
+  for (const std::string& objective : MapObjectives().Names()) {
+    ParameterizeOptions options;
+    options.refine_map = objective;
+    Register("refine_map:" + objective, "bumpy_terrain", options, {kLarge});
   }
   return true;
 }();

@@ -56,7 +56,7 @@ DEFINE_int32(cone_budget, cirque::ParameterizeOptions().cone_budget,
              "the most cones; -1: as the heuristic has it");
 DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,
               "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS");
-DEFINE_string(refine_map, "",
+DEFINE_string(refine_map, cirque::ParameterizeOptions().refine_map,
               "NAME or NAME:KEY=VALUE,...: moves the finished map to less distortion, cones and "
               "seams kept; mips or quasi_conformal");
 DEFINE_string(seams, cirque::ParameterizeOptions().seams,

@@ -72,7 +72,7 @@ const std::vector<MethodField>& MethodFields() {
        {}},
       {"refine_map",
        &Options::refine_map,
-       "refines the finished map: mips or quasi_conformal, or NAME:KEY=VALUE,...",
+       "refines the finished map: none, mips or quasi_conformal, or NAME:KEY=VALUE,...",
        0,
        0,
        {}},

@@ -19,8 +19,8 @@ struct ParameterizeOptions {
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
   int refine_cones = 0;  ///< steps that lower the realised area distortion by the cones' angles
   /// A name of MapObjectives(), with options as in "mips:steps=5", by which the finished map is
-  /// refined (RefineMap); empty: not at all.
-  std::string refine_map;
+  /// refined (RefineMap), or "none".
+  std::string refine_map = "none";
   /// "rigid": the two sides of a cut stay congruent, the metric is flat but for the cones. "free":
   /// cones only choose the cut, and the surface opened along it gets a free boundary.
   std::string seams = "rigid";

@@ -11,6 +11,8 @@
 namespace cirque {
 namespace {
 
+constexpr char kNoRefinement[] = "none";
+
 struct Refinement {
   MapObjective objective;
   RefineMapOptions options;
@@ -29,14 +31,14 @@ StatusOr<Refinement> Parse(const std::string& refine_map) {
 }  // namespace
 
 Status CheckRefineMap(const std::string& refine_map) {
-  return refine_map.empty() ? Status() : Parse(refine_map).status();
+  return refine_map == kNoRefinement ? Status() : Parse(refine_map).status();
 }
 
 Status RefineLayout(const Triangulation& t, const EdgeLengths& lengths, const FlatOnInput& flat,
                     const Cut& cut, const std::vector<Index>& cones, const std::string& refine_map,
                     const std::atomic<bool>* cancelled, PlanarLayout* layout,
                     Certificate* certificate) {
-  if (refine_map.empty()) return Status();
+  if (refine_map == kNoRefinement) return Status();
   const StatusOr<Refinement> refinement = Parse(refine_map);
   if (!refinement.ok()) return refinement.status();
   const SeamReport report = MeasureSeams(t, cut, cones, flat.angles, layout->uv);

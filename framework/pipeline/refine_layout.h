@@ -16,7 +16,7 @@ namespace cirque {
 /// Whether a text is a value of ParameterizeOptions::refine_map; the error says what is wrong.
 Status CheckRefineMap(const std::string& refine_map);
 
-/// Refines a layout without flipped faces as `refine_map` says (RefineMap), unless it is empty.
+/// Refines a layout without flipped faces as `refine_map` says (RefineMap), unless that is "none".
 /// `lengths` are the surface's. Fills in the certificate's values map_refinement_steps, ..._before
 /// and ..._after. Errors: as CheckRefineMap; cancelled.
 Status RefineLayout(const Triangulation& triangulation, const EdgeLengths& lengths,

@@ -128,6 +128,28 @@ TEST_F(StudyTest, DomainsAreComparedWithThePlaneOnTheSameMesh) {
               HasSubstr("| `disk` | 1 of 1 | 0 | 1.25 (1.25 to 1.25) | 1.5 (1.5 to 1.5) |"));
 }
 
+TEST_F(StudyTest, RefinedMapsAreComparedWithThePlainOnesOfTheirMesh) {
+  std::vector<nlohmann::json> records;
+  for (const std::string mesh : {"a", "b"}) {
+    for (const std::string method : {"plain", "mips"}) {
+      nlohmann::json record = ReportRecord(mesh, method, 1);
+      record["values"]["quasi_conformal_mean"] = method == "plain" ? 1.5
+                                                 : mesh == "a"     ? 1.25
+                                                                   : 1.125;
+      record["values"]["quasi_conformal_max"] = method == "plain" ? 8 : 4;
+      record["values"]["log_area_ratio_l2"] = 2;
+      record["cpu_seconds"] = method == "plain" ? 2 : 3;
+      records.push_back(record);
+    }
+  }
+  nlohmann::json unmatched = ReportRecord("c", "mips", 1);
+  unmatched["values"]["quasi_conformal_mean"] = 9;
+  records.push_back(unmatched);
+  EXPECT_THAT(Page("refinement", records),
+              HasSubstr("| `mips` | 2 | 0.375 (0.25 to 0.5) | 0.5 (0.5 to 0.5) | 1 (1 to 1) | 1.5 "
+                        "(1.5 to 1.5) |"));
+}
+
 TEST_F(StudyTest, BadRecordsAreRefusedAndNothingIsWritten) {
   ProgramResult refused = Study("scaling");
   EXPECT_EQ(refused.exit_status, 2);

@@ -103,7 +103,7 @@ TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
   EXPECT_THAT(refusal(options), HasSubstr("did you mean 'mips'"));
   options.refine_map = "mips:steps=0";
   EXPECT_THAT(refusal(options), HasSubstr("steps = '0' is not an integer in [1, 1e+06]"));
-  options.refine_map.clear();
+  options.refine_map = "none";
   options.seams = "fixed";
   EXPECT_THAT(refusal(options), HasSubstr("unknown seams 'fixed'"));
 }
