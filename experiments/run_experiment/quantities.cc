@@ -28,6 +28,7 @@ const std::vector<Quantity>& OwnQuantities() {
       {"peak_memory_mib", "/peak_memory_mib", "peak memory [MiB]"},
       {"flips", "/values/flips", "intrinsic flips"},
       {"delaunay_rounds", "/values/delaunay_rounds", "rounds of flips"},
+      {"moved_vertices", "/values/moved_vertices", "vertices moved to right mirrored triangles"},
       {"smallest_angle", "/values/smallest_angle", "smallest angle [rad]"},
       {"smallest_theta", "/values/smallest_theta", "smallest intersection angle [rad]"},
       {"angle_iterations", "/values/angle_iterations", "iterations of the angle fit"},

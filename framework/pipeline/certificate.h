@@ -17,8 +17,9 @@ struct Certificate {
   std::string overlap = "unknown";
 
   /// Angles in radians, lengths relative. By stage:
-  /// - triangulation: flips, delaunay_rounds, mirrored_triangles (of the input, before the last
-  /// round), flip_back_stuck (flips that the flat metric does not let be undone; where asked for)
+  /// - triangulation: flips, delaunay_rounds, mirrored_triangles (of the input, in the last round),
+  ///   moved_vertices (which righted them), flip_back_stuck (flips that the flat metric does not
+  ///   let be undone; where asked for)
   /// - angle fit: smallest_angle, smallest_theta, epsilon (the margin asked for),
   ///   triangle_sum_residual, vertex_sum_residual, angle_primal, angle_dual, angle_gap (relative),
   ///   angle_iterations, angle_factorizations, angle_cg_iterations, angle_fit_retried (1: by the

@@ -14,6 +14,7 @@
 #include "cirque/angles/targets.h"
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
+#include "cirque/layout/move_vertices.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/radii/solve_log_radii.h"
 
@@ -78,6 +79,7 @@ class Flattening {
     for (int round = 1; round <= kMaxRounds; ++round) {
       certificate_.values["delaunay_rounds"] = round;
       const Status status = SolveOnDelaunay(locked);
+      if (status.ok()) RightMirrored();
       if (status.ok() && result_.on_input.mirrored.empty()) return status;
       if (!status.ok() && !MayDoBetterOnInput(status)) return status;
       if (!status.ok()) break;
@@ -219,6 +221,20 @@ class Flattening {
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
     Put({{"mirrored_triangles", static_cast<double>(result_.on_input.mirrored.size())}});
     return Status();
+  }
+
+  /// Few faces are mirrored, if any, and moving a vertex a little rights most of them.
+  void RightMirrored() {
+    int moves = 0;
+    if (!result_.on_input.mirrored.empty()) {
+      std::vector<bool> movable = BoundaryVertices(input_);
+      for (Index v = 0; v < input_.num_vertices; ++v) {
+        movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
+      }
+      moves = RightMirroredFaces(input_, MeasureCornerAngles(input_, lengths_), lengths_, movable,
+                                 &result_.on_input);
+    }
+    Put({{"moved_vertices", static_cast<double>(moves)}});
   }
 
   /// Shifts the gauge so that the image has the surface's area.

@@ -25,11 +25,12 @@ struct FlatSurface {
 };
 
 /// Coherent angles and log radii for the targets, on intrinsic Delaunay connectivity unless the
-/// options say otherwise. Input triangles that come out mirrored get their edges locked, and
-/// everything is solved again (DESIGN 4.1); the last resort, also where the flipped connectivity
-/// has no coherent angles, is the input's own, on which none can be mirrored. Proofs of
-/// infeasibility are therefore about the input's connectivity. Fills in the certificate's values.
-/// `locked`, per edge of the input, are locked from the first round on; empty: none.
+/// options say otherwise. Where input triangles come out mirrored, single vertices are moved
+/// (RightMirroredFaces); those that no move rights get their edges locked, and everything is solved
+/// again (the lazily constrained loop, DESIGN 4.1). The last resort, also where the flipped
+/// connectivity has no coherent angles, is the input's own, on which none can be mirrored. Proofs
+/// of infeasibility are therefore about the input's connectivity. Fills in the certificate's
+/// values. `locked`, per edge of the input, are locked from the first round on; empty: none.
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,
                Certificate* certificate, FlatSurface* result, const std::vector<bool>& locked = {});

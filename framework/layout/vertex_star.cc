@@ -1,0 +1,146 @@
+#include "cirque/layout/vertex_star.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cirque {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int kRelaxations = 400;       ///< projections onto the kernel's sides
+constexpr int kSteps = 20;              ///< of Gauss-Newton
+constexpr double kShortestStep = 1e-4;  ///< of a line search
+
+double Cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
+
+}  // namespace
+
+VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angles,
+                       const EdgeLengths& surface_lengths, const FlatOnInput& flat, Index corner)
+    : t_(t) {
+  double direction = 0;
+  Index c = corner;
+  do {
+    const Index next = Triangulation::Next(c), prev = Triangulation::Prev(c);
+    const Complex from = std::polar(flat.lengths.value[t.edge[prev]], direction);
+    direction += flat.angles.value[c];
+    const Complex to = std::polar(flat.lengths.value[t.edge[next]], direction);
+    // The face on the surface, its vertex at 0 and the side to `from` along the x axis.
+    const double a = surface_lengths.value[t.edge[prev]], b = surface_lengths.value[t.edge[next]];
+    const Complex far = std::polar(b, surface_angles.value[c]), i(0, 1);
+    faces_.push_back({c, from, to, a * far.imag() / 2, i * (far - a), -i * far, i * a});
+    simple_ = simple_ && t.vertex[next] != t.vertex[corner] && t.vertex[prev] != t.vertex[corner];
+    c = Triangulation::Next(t.twin[next]);
+  } while (c != corner);
+}
+
+Complex VertexStar::Beltrami(const Face& face, Complex place, Complex* f_z) const {
+  const Complex from = face.from - place, to = face.to - place;
+  *f_z = from * std::conj(face.hat_from) + to * std::conj(face.hat_to);
+  return (from * face.hat_from + to * face.hat_to) / *f_z;
+}
+
+double VertexStar::WorstDistortion(Complex place) const {
+  double worst = 0;
+  Complex f_z;
+  for (const Face& face : faces_) {
+    if (face.area > 0) worst = std::max(worst, std::abs(Beltrami(face, place, &f_z)));
+  }
+  return worst;
+}
+
+double VertexStar::Value(const MapObjective& objective, Complex place) const {
+  double sum = 0;
+  Complex f_z;
+  for (const Face& face : faces_) {
+    if (!(face.area > 0)) continue;
+    const double m = std::abs(Beltrami(face, place, &f_z));
+    if (!(m < 1)) return std::numeric_limits<double>::infinity();
+    sum += face.area * objective.value(m);
+  }
+  return sum;
+}
+
+std::optional<Complex> VertexStar::BestPlace(const MapObjective& objective) const {
+  const std::optional<Complex> start = PlaceInKernel();
+  if (!start) return start;
+  Complex place = *start;
+  double value = Value(objective, place);
+  for (int step = 0; step < kSteps; ++step) {
+    Complex gradient = 0;
+    double curvature = 0;
+    for (const Face& face : faces_) {
+      if (!(face.area > 0)) continue;
+      Complex f_z;
+      const Complex mu = Beltrami(face, place, &f_z);
+      const Complex derivative = (face.hat - mu * std::conj(face.hat)) / f_z;
+      const double weight = face.area * objective.weight(std::abs(mu));
+      gradient += weight * std::conj(derivative) * mu;
+      curvature += weight * std::norm(derivative);
+    }
+    double length = 1;
+    while (length > kShortestStep) {
+      const Complex next = place - length * gradient / curvature;
+      const double at_next = Value(objective, next);
+      if (at_next < value && SeesAll(next)) {
+        place = next;
+        value = at_next;
+        break;
+      }
+      length /= 2;
+    }
+    if (!(length > kShortestStep)) break;
+  }
+  return place;
+}
+
+bool VertexStar::SeesAll(Complex place) const {
+  return std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+    return Cross(face.from - place, face.to - place) > 0;
+  });
+}
+
+double VertexStar::Radius() const {
+  double radius = 0;
+  for (const Face& face : faces_) radius = std::max(radius, std::abs(face.from));
+  return radius;
+}
+
+/// Onto the side of the kernel that is missed most, again and again, with margins in proportion to
+/// the star: wide ones first, since a kernel that has room for them lets the place lie well inside.
+std::optional<Complex> VertexStar::PlaceInKernel() const {
+  for (const double share : {0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
+    const double margin = share * Radius();
+    Complex place = 0;
+    for (int round = 0; round < kRelaxations; ++round) {
+      double least = std::numeric_limits<double>::infinity();
+      Complex inward = 0;
+      for (const Face& face : faces_) {
+        const Complex side = face.to - face.from;
+        const double height = Cross(face.from - place, face.to - place) / std::abs(side);
+        if (!(height < least)) continue;
+        least = height;
+        inward = Complex(0, 1) * side / std::abs(side);
+      }
+      if (least >= margin && SeesAll(place)) return place;
+      place += 1.5 * (margin - least) * inward;
+    }
+  }
+  return std::nullopt;
+}
+
+void VertexStar::MoveTo(Complex place, FlatOnInput* flat) const {
+  for (const Face& face : faces_) {
+    const Index next = Triangulation::Next(face.corner), prev = Triangulation::Prev(face.corner);
+    const Complex from = face.from - place, to = face.to - place, side = face.to - face.from;
+    const auto angle = [](Complex a, Complex b) { return std::arg(std::conj(a) * b); };
+    flat->angles.value[face.corner] = angle(from, to);
+    flat->angles.value[next] = angle(side, -from);
+    flat->angles.value[prev] = angle(-to, -side);
+    flat->lengths.value[t_.edge[prev]] = std::abs(from);
+  }
+}
+
+}  // namespace cirque

@@ -1,0 +1,111 @@
+#include "cirque/layout/move_vertices.h"
+
+#include <cmath>
+#include <complex>
+
+#include <gtest/gtest.h>
+
+#include "cirque/core/cut.h"
+#include "cirque/layout/planar_layout.h"
+#include "cirque/mesh/corner_angles.h"
+#include "cirque/metrics/injectivity.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+/// The flat metric of a plane surface's faces, mirrored ones with negative angles.
+FlatOnInput FlatOf(const Surface& plane) {
+  const Triangulation& t = plane.triangulation;
+  FlatOnInput flat{{Eigen::VectorXd(t.num_halfedges())}, MeasureEdgeLengths(plane), {}};
+  const auto at = [&](Index corner) {
+    const Eigen::Vector3d& x = plane.position[t.vertex[corner]];
+    return std::complex<double>(x.x(), x.y());
+  };
+  for (Index c = 0; c < t.num_halfedges(); ++c) {
+    const auto a = at(Triangulation::Next(c)) - at(c), b = at(Triangulation::Prev(c)) - at(c);
+    flat.angles.value[c] = std::arg(std::conj(a) * b);
+    if (c % 3 == 2 && flat.angles.value[c] < 0) flat.mirrored.push_back(c / 3);
+  }
+  return flat;
+}
+
+constexpr int kColumns = 6, kRows = 6;
+
+Index Vertex(int column, int row) { return row * (kColumns + 1) + column; }
+
+class RightMirroredFacesTest : public ::testing::Test {
+ protected:
+  RightMirroredFacesTest() {
+    for (Index v = 0; v < t().num_vertices; ++v) movable_[v] = !movable_[v];
+  }
+
+  const Triangulation& t() const { return strip_.triangulation; }
+
+  int Right(FlatOnInput* flat) const {
+    return RightMirroredFaces(t(), AnglesOf(strip_), MeasureEdgeLengths(strip_), movable_, flat);
+  }
+
+  /// The strip's metric with vertices moved.
+  FlatOnInput Displaced(const std::vector<std::pair<Index, Eigen::Vector3d>>& moves) const {
+    Surface moved = strip_;
+    for (const auto& [v, by] : moves) moved.position[v] += by;
+    return FlatOf(moved);
+  }
+
+  const Surface strip_ = FlatStrip(kColumns, kRows);
+  std::vector<bool> movable_ = BoundaryVertices(strip_.triangulation);
+};
+
+TEST_F(RightMirroredFacesTest, AVertexGoesBackToWhereNothingIsDistorted) {
+  const FlatOnInput whole = FlatOf(strip_);
+  ASSERT_TRUE(whole.mirrored.empty());
+  FlatOnInput flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
+  ASSERT_GE(flat.mirrored.size(), 1);
+  EXPECT_EQ(Right(&flat), 1);
+  EXPECT_TRUE(flat.mirrored.empty());
+  EXPECT_LT((flat.lengths.value - whole.lengths.value).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((flat.angles.value - whole.angles.value).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST_F(RightMirroredFacesTest, SeveralMovesKeepEveryAngleSumAndLayOutWithoutFlips) {
+  FlatOnInput flat = Displaced({{Vertex(2, 2), {0.2, 1.2, 0}},
+                                {Vertex(4, 4), {1.4, -0.1, 0}},
+                                {Vertex(2, 5), {-0.3, -0.4, 0}}});
+  const std::vector<double> before = VertexAngleSums(t(), flat.angles);
+  ASSERT_GE(flat.mirrored.size(), 2);
+  EXPECT_GE(Right(&flat), 2);
+  EXPECT_TRUE(flat.mirrored.empty());
+  EXPECT_GT(flat.angles.value.minCoeff(), 0.05);
+  const std::vector<double> after = VertexAngleSums(t(), flat.angles);
+  for (Index v = 0; v < t().num_vertices; ++v) {
+    EXPECT_NEAR(std::remainder(after[v] - before[v], 2 * kPi), 0, 1e-12);
+    if (movable_[v]) {
+      EXPECT_NEAR(after[v], 2 * kPi, 1e-12);
+    }
+  }
+  const Cut none{std::vector<bool>(t().num_edges(), false)};
+  EXPECT_TRUE(FlippedFaces(t(), LayOutPatches(t(), flat.angles, flat.lengths, none).uv).empty());
+}
+
+TEST_F(RightMirroredFacesTest, WhatMayNotMoveStaysAndIsNamed) {
+  movable_.assign(movable_.size(), false);
+  FlatOnInput flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
+  const FlatOnInput before = flat;
+  EXPECT_EQ(Right(&flat), 0);
+  EXPECT_EQ(flat.mirrored, before.mirrored);
+  EXPECT_EQ(flat.lengths.value, before.lengths.value);
+}
+
+TEST_F(RightMirroredFacesTest, AStarWithoutAKernelIsLeftAlone) {
+  // Two of the boundary's vertices swap places: no inner vertex sees both sides between them.
+  FlatOnInput flat = Displaced({{Vertex(2, 0), {2, 0, 0}}, {Vertex(4, 0), {-2, 0, 0}}});
+  ASSERT_FALSE(flat.mirrored.empty());
+  Right(&flat);
+  EXPECT_FALSE(flat.mirrored.empty());
+  for (const Index f : flat.mirrored) EXPECT_LT(flat.angles.value.segment<3>(3 * f).minCoeff(), 0);
+}
+
+}  // namespace
+}  // namespace cirque
