@@ -20,6 +20,7 @@
 #include "experiments/circle_patterns/sphere.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/heap.h"
 #include "experiments/common/interrupt.h"
 #include "experiments/common/solve_progress.h"
 
@@ -204,6 +205,7 @@ int Main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
+  UseOneHeap();
   const StatusOr<bool> served = ServeOtherRanks();
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;

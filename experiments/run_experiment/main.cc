@@ -7,6 +7,7 @@
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/heap.h"
 #include "experiments/common/interrupt.h"
 #include "experiments/run_experiment/columns.h"
 #include "experiments/run_experiment/config.h"
@@ -130,6 +131,7 @@ int Main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
+  UseOneHeap();
   if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeCell);
   const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
   if (!arguments.ok()) return Refuse(arguments.status());
