@@ -127,6 +127,9 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (FLAGS_no && FLAGS_ic.empty()) {
     return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
   }
+  if (FLAGS_no && FLAGS_refine_map != ParameterizeOptions().refine_map) {
+    return Status::InvalidInput("-no lays out the metric as it is: leave out -refine_map");
+  }
   if (!FLAGS_ie.empty() && !FLAGS_cut_paths.empty()) {
     return Status::InvalidInput("give one of -ie and -cut_paths");
   }

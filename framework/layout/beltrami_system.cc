@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cirque {
 namespace {
@@ -14,13 +15,12 @@ constexpr double kShift = 1e-12;        ///< relative: for translations and simi
 
 BeltramiSystem::BeltramiSystem(const Triangulation& surface, const Triangulation& open,
                                const CornerAngles& angles, const EdgeLengths& lengths,
-                               const std::vector<SeamConstraint>& constraints,
-                               const MapObjective& objective)
+                               std::vector<SeamConstraint> constraints, MapObjective objective)
     : open_(open),
-      constraints_(constraints),
-      objective_(objective),
+      constraints_(std::move(constraints)),
+      objective_(std::move(objective)),
       gradient_(open.num_vertices),
-      penalty_(static_cast<Eigen::Index>(constraints.size())) {
+      penalty_(static_cast<Eigen::Index>(constraints_.size())) {
   double total = 0;
   for (Index f = 0; f < open.num_faces(); ++f) {
     const Index h = 3 * f;

@@ -19,11 +19,11 @@ namespace cirque {
 /// area on the surface are left out.
 class BeltramiSystem {
  public:
-  /// `angles` and `lengths` may be of `surface` before it was opened to `open`; all references must
-  /// outlive the system.
+  /// `angles` and `lengths` are of `surface` before it was opened to `open`, which must outlive the
+  /// system.
   BeltramiSystem(const Triangulation& surface, const Triangulation& open,
                  const CornerAngles& angles, const EdgeLengths& lengths,
-                 const std::vector<SeamConstraint>& constraints, const MapObjective& objective);
+                 std::vector<SeamConstraint> constraints, MapObjective objective);
 
   /// The objective, infinite where some |mu| >= 1.
   double Value(const Eigen::VectorXcd& z) const;
@@ -33,6 +33,7 @@ class BeltramiSystem {
   /// faces at each seam. @pre Value(z) is finite.
   void Linearize(const Eigen::VectorXcd& z);
 
+  const std::vector<SeamConstraint>& constraints() const { return constraints_; }
   const Eigen::VectorXcd& gradient() const { return gradient_; }
   const Eigen::VectorXd& penalty() const { return penalty_; }
   const ComplexSparseMatrix& lower() const { return lower_; }
@@ -57,8 +58,8 @@ class BeltramiSystem {
   void ShiftDiagonal();
 
   const Triangulation& open_;
-  const std::vector<SeamConstraint>& constraints_;
-  const MapObjective& objective_;
+  const std::vector<SeamConstraint> constraints_;
+  const MapObjective objective_;
   std::vector<Face> faces_;
   ComplexSparseMatrix lower_;
   Eigen::VectorXcd gradient_;

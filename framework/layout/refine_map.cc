@@ -22,10 +22,9 @@ constexpr double kSeamTolerance = 1e-8;
 
 class Refiner {
  public:
-  Refiner(const Triangulation& open, const std::vector<SeamConstraint>& constraints,
-          BeltramiSystem* system, Eigen::VectorXcd z)
+  Refiner(const Triangulation& open, BeltramiSystem* system, Eigen::VectorXcd z)
       : open_(open),
-        constraints_(constraints),
+        constraints_(system->constraints()),
         system_(*system),
         z_(std::move(z)),
         value_(system->Value(z_)) {}
@@ -162,9 +161,8 @@ StatusOr<MapRefinement> RefineMap(const Triangulation& t, const CornerAngles& an
                                   const RefineMapOptions& options,
                                   const std::atomic<bool>* cancelled, CornerUv* uv) {
   const Triangulation open = CutOpen(t, cut);
-  const std::vector<SeamConstraint> constraints = SeamConstraints(t, open, seams);
-  BeltramiSystem system(t, open, angles, lengths, constraints, objective);
-  Refiner refiner(open, constraints, &system, PositionsOf(open, *uv));
+  BeltramiSystem system(t, open, angles, lengths, SeamConstraints(t, open, seams), objective);
+  Refiner refiner(open, &system, PositionsOf(open, *uv));
   MapRefinement result{0, refiner.value(), refiner.value()};
   while (result.steps < options.steps) {
     if (cancelled && *cancelled)

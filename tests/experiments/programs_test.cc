@@ -135,6 +135,29 @@ TEST_F(ProgramsTest, TheFlatMetricIsWrittenAsCon) {
   for (int row = t.num_faces(); row < sums.size(); ++row) EXPECT_NEAR(sums[row], 2 * kPi, 1e-9);
 }
 
+TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
+  const std::string in = Write("in.obj", *GenerateMesh("double_torus", {800, 1}));
+  const std::string out = folder_.Path("out.obj");
+  const auto distortion = [&](const std::string& flags) {
+    const ProgramResult mapped = Flatten(in, out, flags);
+    EXPECT_EQ(mapped.exit_status, 0) << mapped.output;
+    const ProgramResult verified = RunProgram("verify_map --json " + in + " " + out);
+    EXPECT_EQ(verified.exit_status, 0) << verified.output;
+    const auto certificate = nlohmann::json::parse(folder_.Read("out.certificate.json"));
+    return certificate["values"]["quasi_conformal_mean"].get<double>();
+  };
+  const double plain = distortion(""), refined = distortion("--refine_map=mips:steps=3");
+  EXPECT_LT(refined, plain);
+  EXPECT_LT(distortion("--seams=free --refine_map=quasi_conformal"), refined);
+  const ProgramResult sphere = Flatten(in, out, "--domain=sphere --refine_map=mips");
+  EXPECT_EQ(sphere.exit_status, 2);
+  EXPECT_THAT(sphere.output, HasSubstr("takes no --refine_map"));
+  const ProgramResult layout =
+      RunProgram("circle_patterns -ic x.con -no -oo " + out + " --refine_map=mips");
+  EXPECT_EQ(layout.exit_status, 2);
+  EXPECT_THAT(layout.output, HasSubstr("leave out -refine_map"));
+}
+
 TEST_F(ProgramsTest, FromObjToConToTheSameMap) {
   const std::string in = Write("in.obj", *GenerateMesh("blob", {500, 1}));
   const std::string con = folder_.Path("flat.con"), direct = folder_.Path("direct.obj");
