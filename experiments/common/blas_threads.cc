@@ -15,9 +15,23 @@ extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace cirque {
 
+namespace {
+
+/// Whether a variable of the environment asks for more than one thread.
+bool AsksForThreads(const char* variable) {
+  const char* threads = std::getenv(variable);
+  return threads && std::atoi(threads) != 1;
+}
+
+}  // namespace
+
 void UseOneBlasThread() {
-  if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
-  if (omp_set_max_active_levels && !std::getenv("OMP_NUM_THREADS")) omp_set_max_active_levels(0);
+  if (openblas_set_num_threads && !AsksForThreads("OPENBLAS_NUM_THREADS")) {
+    openblas_set_num_threads(1);
+  }
+  // CHOLMOD asks for four threads by name, whatever OMP_NUM_THREADS says, unless none may be
+  // nested.
+  if (omp_set_max_active_levels && !AsksForThreads("OMP_NUM_THREADS")) omp_set_max_active_levels(0);
 }
 
 int ThreadsByEnvironment() {

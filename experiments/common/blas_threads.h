@@ -4,7 +4,7 @@
 
 namespace cirque {
 
-/// Lets BLAS use one thread, unless OPENBLAS_NUM_THREADS says otherwise, and so CHOLMOD's loops
+/// Lets BLAS use one thread, unless OPENBLAS_NUM_THREADS asks for more, and so CHOLMOD's loops
 /// round it, unless OMP_NUM_THREADS does: the matrices of a sparse factorization are small, a
 /// second thread gains little on an idle machine and loses much where jobs run side by side.
 void UseOneBlasThread();
