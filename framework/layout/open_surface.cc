@@ -59,16 +59,22 @@ Eigen::Vector2d OpenSurface::Wanted(Index h) const {
          Eigen::Vector2d(std::cos(direction[h]), std::sin(direction[h]));
 }
 
+EdgeLengths OpenedLengths(const Triangulation& t, const EdgeLengths& lengths,
+                          const Triangulation& open) {
+  EdgeLengths opened{Eigen::VectorXd(open.num_edges())};
+  for (Index e = 0; e < open.num_edges(); ++e) {
+    opened.value[e] = lengths.value[t.edge[open.edge_halfedge[e]]];
+  }
+  return opened;
+}
+
 OpenSurface OpenWithDirections(const Triangulation& t, const CornerAngles& flat_angles,
                                const EdgeLengths& lengths, const Cut& cut) {
   OpenSurface open;
   open.triangulation = CutOpen(t, cut);
   open.patches = ConnectedPatches(open.triangulation);
   open.direction = DirectionWalk(open.triangulation, flat_angles).Walk();
-  open.lengths.value.resize(open.triangulation.num_edges());
-  for (Index e = 0; e < open.triangulation.num_edges(); ++e) {
-    open.lengths.value[e] = lengths.value[t.edge[open.triangulation.edge_halfedge[e]]];
-  }
+  open.lengths = OpenedLengths(t, lengths, open.triangulation);
   return open;
 }
 

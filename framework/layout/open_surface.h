@@ -20,6 +20,10 @@ struct OpenSurface {
   Eigen::Vector2d Wanted(Index h) const;
 };
 
+/// The lengths of a surface's edges as those of the surface opened, of the same halfedges.
+EdgeLengths OpenedLengths(const Triangulation& triangulation, const EdgeLengths& lengths,
+                          const Triangulation& open);
+
 /// Opens the surface and gives every halfedge its direction: a sum of corner angles along the dual
 /// tree of its patch, breadth first from the patch's first halfedge, which points along the x axis.
 OpenSurface OpenWithDirections(const Triangulation& triangulation, const CornerAngles& flat_angles,

@@ -1,9 +1,9 @@
 #include "cirque/layout/refine_map.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "cirque/layout/beltrami_system.h"

@@ -10,6 +10,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/layout/open_surface.h"
 #include "cirque/layout/packing.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
@@ -132,10 +133,7 @@ Status FreeSeams(const Job& job, Parameterization* result) {
   StatusOr<Cut> cut = ChooseCut(job, result->flat.on_input, cones);
   if (!cut.ok()) return cut.status();
   const Triangulation open = CutOpen(job.t, *cut);
-  EdgeLengths lengths{Eigen::VectorXd(open.num_edges())};
-  for (Index e = 0; e < open.num_edges(); ++e) {
-    lengths.value[e] = job.lengths.value[job.t.edge[open.edge_halfedge[e]]];
-  }
+  const EdgeLengths lengths = OpenedLengths(job.t, job.lengths, open);
   const Cut none{std::vector<bool>(open.num_edges(), false)};
   const Job opened{open, lengths, job.file, &none, job.options, job.control};
   result->targets = FreeBoundaryTargets(open);
