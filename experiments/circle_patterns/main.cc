@@ -10,6 +10,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/layout/map_objective.h"
 #include "cirque/pipeline/sphere.h"
 #include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/multigrid.h"
@@ -59,7 +60,7 @@ DEFINE_string(cone_angles, cirque::ParameterizeOptions().cone_angles,
               "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS");
 DEFINE_string(refine_map, cirque::ParameterizeOptions().refine_map,
               "NAME or NAME:KEY=VALUE,...: moves the finished map to less distortion, cones and "
-              "seams kept; mips or quasi_conformal");
+              "seams kept; a refinement below");
 DEFINE_string(seams, cirque::ParameterizeOptions().seams,
               "rigid: the two sides of a cut stay congruent; free: cones only choose the cut");
 DEFINE_int32(refine_cones, cirque::ParameterizeOptions().refine_cones,
@@ -127,8 +128,10 @@ Status CheckArguments(const std::vector<std::string>& others) {
   if (FLAGS_no && FLAGS_ic.empty()) {
     return Status::InvalidInput("-no lays out a flat metric: name it with -ic");
   }
-  if (FLAGS_no && FLAGS_refine_map != ParameterizeOptions().refine_map) {
-    return Status::InvalidInput("-no lays out the metric as it is: leave out -refine_map");
+  const ParameterizeOptions plain;
+  if (FLAGS_no && (FLAGS_refine_map != plain.refine_map || FLAGS_seams != plain.seams)) {
+    return Status::InvalidInput(
+        "-no lays out the metric as it is: leave out -refine_map and -seams");
   }
   if (!FLAGS_ie.empty() && !FLAGS_cut_paths.empty()) {
     return Status::InvalidInput("give one of -ie and -cut_paths");
@@ -219,7 +222,8 @@ int Main(int argc, char** argv) {
     std::cout << kUsage << "\n"
               << FlagHelp(kSource) << "\nangle fits: " << Join(AngleObjectives().Names())
               << "\nsolvers:    " << Join(SolverStrategies().Names())
-              << "\ncones:      " << Join(ConeHeuristics().Names()) << "\n";
+              << "\ncones:      " << Join(ConeHeuristics().Names())
+              << "\nrefinements: " << Join(MapObjectives().Names()) << "\n";
     return 0;
   }
   if (Status s = CheckArguments(*others); !s.ok()) return Conclude(s);

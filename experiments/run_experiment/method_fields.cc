@@ -3,7 +3,9 @@
 #include <glog/logging.h>
 
 #include "cirque/angles/registry.h"
+#include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/layout/map_objective.h"
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -72,7 +74,8 @@ const std::vector<MethodField>& MethodFields() {
        {}},
       {"refine_map",
        &Options::refine_map,
-       "refines the finished map: none, mips or quasi_conformal, or NAME:KEY=VALUE,...",
+       "refines the finished map: none, " + Join(MapObjectives().Names()) +
+           ", or NAME:KEY=VALUE,...",
        0,
        0,
        {}},

@@ -1,7 +1,9 @@
 #include "cirque/layout/move_vertices.h"
 
-#include <algorithm>
+#include <complex>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/vertex_star.h"
@@ -17,25 +19,22 @@ bool IsMirrored(const FlatOnInput& flat, Index face) {
 
 /// Moves the best of the face's vertices, if any can right the whole star around it.
 bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
-               const EdgeLengths& surface_lengths, const std::vector<bool>& movable, Index face,
-               FlatOnInput* flat) {
-  const MapObjective objective = *MapObjectives().Find("mips");
-  Index best = kNone;
+               const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+               const MapObjective& objective, Index face, FlatOnInput* flat) {
+  std::optional<VertexStar> best;
   std::complex<double> best_place;
   double least = std::numeric_limits<double>::infinity();
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
     if (!movable[t.vertex[corner]]) continue;
     const VertexStar star(t, surface_angles, surface_lengths, *flat, corner);
-    if (!star.IsSimple()) continue;
-    const auto place = star.BestPlace(objective);
+    const auto place = star.IsSimple() ? star.BestPlace(objective) : std::nullopt;
     if (!place || !(star.WorstDistortion(*place) < least)) continue;
-    best = corner;
+    best.emplace(star);
     best_place = *place;
-    least = star.WorstDistortion(*place);
+    least = star.WorstDistortion(best_place);
   }
-  if (best == kNone) return false;
-  VertexStar(t, surface_angles, surface_lengths, *flat, best).MoveTo(best_place, flat);
-  return true;
+  if (best) best->MoveTo(best_place, flat);
+  return best.has_value();
 }
 
 }  // namespace
@@ -43,13 +42,14 @@ bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
 int RightMirroredFaces(const Triangulation& t, const CornerAngles& surface_angles,
                        const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
                        FlatOnInput* flat) {
+  const MapObjective objective = *MapObjectives().Find("mips");
   int moves = 0;
   for (bool moved = true; moved && !flat->mirrored.empty();) {
     moved = false;
     std::vector<Index> left;
     for (const Index face : flat->mirrored) {
       if (!IsMirrored(*flat, face)) continue;
-      if (RightFace(t, surface_angles, surface_lengths, movable, face, flat)) {
+      if (RightFace(t, surface_angles, surface_lengths, movable, objective, face, flat)) {
         moved = true;
         ++moves;
       } else {

@@ -79,7 +79,6 @@ class Flattening {
     for (int round = 1; round <= kMaxRounds; ++round) {
       certificate_.values["delaunay_rounds"] = round;
       const Status status = SolveOnDelaunay(locked);
-      if (status.ok()) RightMirrored();
       if (status.ok() && result_.on_input.mirrored.empty()) return status;
       if (!status.ok() && !MayDoBetterOnInput(status)) return status;
       if (!status.ok()) break;
@@ -220,6 +219,7 @@ class Flattening {
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
     Put({{"mirrored_triangles", static_cast<double>(result_.on_input.mirrored.size())}});
+    RightMirrored();
     return Status();
   }
 

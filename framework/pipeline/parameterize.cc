@@ -85,7 +85,7 @@ void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vect
 
 /// Cuts and lays out, several patches side by side in the unit square; refuses a layout with a
 /// flipped triangle.
-Status LayOut(const Job& job, Parameterization* result) {
+Status CutAndPlace(const Job& job, Parameterization* result) {
   const Triangulation& t = job.t;
   Certificate& certificate = result->certificate;
   const FlatOnInput& flat = result->flat.on_input;
@@ -121,13 +121,22 @@ Status LayOut(const Job& job, Parameterization* result) {
   return Status();
 }
 
+/// The same, timed.
+Status LayOut(const Job& job, Parameterization* result) {
+  const Timer timer;
+  const Status status = CutAndPlace(job, result);
+  result->certificate.seconds["layout"] += timer.Seconds();
+  return status;
+}
+
 Status FlattenAsAsked(const Job& job, Parameterization* result) {
   return Flatten(job.t, job.lengths, result->targets, job.options, job.control,
                  &result->certificate, &result->flat);
 }
 
-/// With seams that shall stay congruent, nothing; else the surface opened along the cut, whose
-/// boundary then is free, is flattened instead. It has coherent angles since the whole one has.
+/// Flattens and lays out the surface opened along the cut, whose boundary then is free. It has
+/// coherent angles where the whole one has them on the same connectivity; a proof that it has none
+/// would be no proof about the input.
 Status FreeSeams(const Job& job, Parameterization* result) {
   const std::vector<Index> cones = ConeVertices(job.t, result->targets);
   StatusOr<Cut> cut = ChooseCut(job, result->flat.on_input, cones);
@@ -139,6 +148,12 @@ Status FreeSeams(const Job& job, Parameterization* result) {
   result->targets = FreeBoundaryTargets(open);
   Status status = FlattenAsAsked(opened, result);
   if (status.ok()) status = LayOut(opened, result);
+  if (status.code() == StatusCode::kInfeasible) {
+    result->certificate.infeasibility = {};
+    return Status(StatusCode::kNotConverged,
+                  "the surface opened along its cut has no coherent angles on its connectivity; "
+                  "the whole one has: keep rigid seams");
+  }
   auto& values = result->certificate.values;
   values["cones"] = static_cast<double>(cones.size());
   values["cut_length"] = RelativeCutLength(job.t, job.lengths, cut->edge);
@@ -147,14 +162,11 @@ Status FreeSeams(const Job& job, Parameterization* result) {
 }
 
 Status LayOutAndMeasure(const Job& job, Parameterization* result) {
-  Certificate& certificate = result->certificate;
-  const Timer layout_timer;
   const Status status = job.options.seams == "free" ? FreeSeams(job, result) : LayOut(job, result);
-  certificate.seconds["layout"] += layout_timer.Seconds();
   if (!status.ok()) return status;
   const Timer measure_timer;
   PutMeasures(job.t, job.lengths, result);
-  certificate.seconds["measures"] = measure_timer.Seconds();
+  result->certificate.seconds["measures"] = measure_timer.Seconds();
   return status;
 }
 

@@ -152,10 +152,11 @@ TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
   const ProgramResult sphere = Flatten(in, out, "--domain=sphere --refine_map=mips");
   EXPECT_EQ(sphere.exit_status, 2);
   EXPECT_THAT(sphere.output, HasSubstr("takes no --refine_map"));
-  const ProgramResult layout =
-      RunProgram("circle_patterns -ic x.con -no -oo " + out + " --refine_map=mips");
-  EXPECT_EQ(layout.exit_status, 2);
-  EXPECT_THAT(layout.output, HasSubstr("leave out -refine_map"));
+  for (const char* flag : {" --refine_map=mips", " --seams=free"}) {
+    const ProgramResult layout = RunProgram("circle_patterns -ic x.con -no -oo " + out + flag);
+    EXPECT_EQ(layout.exit_status, 2);
+    EXPECT_THAT(layout.output, HasSubstr("leave out -refine_map"));
+  }
 }
 
 TEST_F(ProgramsTest, FromObjToConToTheSameMap) {
