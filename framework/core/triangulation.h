@@ -32,6 +32,23 @@ struct Triangulation {
   Index Tail(Index h) const { return vertex[Next(h)]; }
   Index Tip(Index h) const { return vertex[Prev(h)]; }
   bool IsBoundaryEdge(Index e) const { return twin[edge_halfedge[e]] == kNone; }
+
+  /// Visits the corners at the vertex of `corner`, counter-clockwise from it; at a vertex on the
+  /// boundary up to there, then clockwise the ones before it.
+  template <class Visit>
+  void ForEachCornerAround(Index corner, const Visit& visit) const {
+    Index c = corner;
+    do {
+      visit(c);
+      const Index across = twin[Next(c)];
+      c = across == kNone ? kNone : Next(across);
+    } while (c != kNone && c != corner);
+    if (c == corner) return;
+    for (Index across = twin[Prev(corner)]; across != kNone; across = twin[Prev(c)]) {
+      c = Prev(across);
+      visit(c);
+    }
+  }
 };
 
 /// Numbers the edges of a gluing that satisfies the invariants above.

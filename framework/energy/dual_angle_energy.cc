@@ -13,7 +13,13 @@ DualAngleEnergy::DualAngleEnergy(AngleConstraints constraints, const Eigen::Vect
     : constraints_(std::move(constraints)),
       reference_(reference),
       epsilon_(epsilon),
-      objective_(std::move(objective)) {}
+      objective_(std::move(objective)),
+      corner_of_row_(constraints_.num_rows() - constraints_.num_faces()) {
+  for (Index h = 0; h < constraints_.triangulation().num_halfedges(); ++h) {
+    const int row = constraints_.VertexRow(h);
+    if (row != kNone) corner_of_row_[row - constraints_.num_faces()] = h;
+  }
+}
 
 EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
   const Triangulation& t = constraints_.triangulation();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
@@ -31,6 +32,9 @@ class DualAngleEnergy final : public Energy {
   std::vector<Kink> Kinks() const override;
   double LeastHessianShift() const override { return 1e-9; }
 
+  /// One row's multiplier at a time (dual_angle_relaxation.cc). Not with ranged vertices.
+  bool Relax(double share, double* y, double* gradient) const override;
+
   /// alpha(y): the maximisers of all edges, 3F [rad].
   Eigen::VectorXd Angles(const double* y) const;
 
@@ -40,13 +44,29 @@ class DualAngleEnergy final : public Energy {
  private:
   EdgeConjugate Conjugate(Index e, const double* y) const;
 
+  /// Whether that row adds up the angle at corner h.
+  bool IsInRow(Index h, int row) const;
+
+  template <class Visit>
+  void ForEachCornerOfRow(int row, const Visit& visit) const {
+    if (row < constraints_.num_faces()) {
+      for (Index h = 3 * row; h < 3 * row + 3; ++h) visit(h);
+    } else {
+      constraints_.triangulation().ForEachCornerAround(
+          corner_of_row_[row - constraints_.num_faces()], visit);
+    }
+  }
+
   /// alpha(y) and sum_e g_e.
   Eigen::VectorXd Maximise(const double* y, double* sum) const;
+
+  class RowMove;
 
   const AngleConstraints constraints_;
   const Eigen::VectorXd& reference_;
   const double epsilon_;
   const std::shared_ptr<const AngleObjective> objective_;
+  std::vector<Index> corner_of_row_;  ///< one of each constrained vertex
 };
 
 }  // namespace cirque

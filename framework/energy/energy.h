@@ -58,6 +58,14 @@ class Energy : public ceres::FirstOrderFunction {
   /// from below; everywhere else the energy is as smooth as without kinks.
   virtual std::vector<Kink> Kinks() const { return {}; }
 
+  /// Lowers the energy where few entries of the gradient stand out, at the cost of those: minimises
+  /// over single parameters in turn until no entry exceeds `share` of the largest. `gradient` is
+  /// that at x before and after. Newton's linear systems see what happens all over the domain but
+  /// not how the Hessian changes along the step; this sees the other half (nonlinear elimination:
+  /// P. Lanzkron, D. Rose, J. Wilkes, SIAM J. Sci. Comput. 17, 1996). False, and nothing done, by
+  /// energies that have no use for it.
+  virtual bool Relax(double /*share*/, double* /*x*/, double* /*gradient*/) const { return false; }
+
   virtual ResidualForm residual_form() const { return ResidualForm::kAbsent; }
 
   /// Adds the residual blocks on scalar parameter blocks x[0], ..., x[n - 1] and holds the gauge

@@ -18,11 +18,7 @@ Index FirstCorner(const Triangulation& t, Index v) {
 
 std::vector<Index> CornersAround(const Triangulation& t, Index corner) {
   std::vector<Index> corners;
-  Index c = corner;
-  do {
-    corners.push_back(c);
-    c = Triangulation::Next(t.twin[Triangulation::Next(c)]);
-  } while (c != corner);
+  t.ForEachCornerAround(corner, [&](Index c) { corners.push_back(c); });
   return corners;
 }
 

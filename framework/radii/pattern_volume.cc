@@ -113,7 +113,7 @@ SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles&
     const SparseMatrix& matrix = shift.Apply(lower);
     Eigen::VectorXd change;
     const Eigen::VectorXd missing = right_side - matrix.selfadjointView<Eigen::Lower>() * *rho;
-    if (!solver->Solve(matrix, missing, kTolerance, &change, &summary)) break;
+    if (!solver->Solve(matrix, missing, {kTolerance}, &change, &summary)) break;
     *rho += change;
     energy.Gradient(rho->data(), gradient.data());
     const double now = gradient.lpNorm<Eigen::Infinity>();

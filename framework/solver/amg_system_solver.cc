@@ -130,12 +130,14 @@ AmgSystemSolver::AmgSystemSolver(const AmgOptions& options)
 AmgSystemSolver::~AmgSystemSolver() = default;
 
 bool AmgSystemSolver::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                            double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
+                            const SolveAccuracy& accuracy, Eigen::VectorXd* x,
+                            SolveSummary* summary) {
   ++num_systems_;
-  if (num_factored_ < kMostFailures && SolveByMultigrid(lower, right_side, tolerance, x, summary)) {
+  if (num_factored_ < kMostFailures &&
+      SolveByMultigrid(lower, right_side, accuracy.tolerance, x, summary)) {
     return true;
   }
-  if (!factor_.Solve(lower, right_side, tolerance, x, summary)) return false;
+  if (!factor_.Solve(lower, right_side, accuracy, x, summary)) return false;
   ++num_factored_;
   return true;
 }

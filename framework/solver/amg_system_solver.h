@@ -24,8 +24,8 @@ class AmgSystemSolver final : public SystemSolver {
   explicit AmgSystemSolver(const AmgOptions& options);
   ~AmgSystemSolver() override;
 
-  bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
-             Eigen::VectorXd* x, SolveSummary* summary) override;
+  bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+             const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) override;
   std::string Remark() const override;
 
  private:

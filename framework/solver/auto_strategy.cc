@@ -40,13 +40,13 @@ SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& co
     summary = newton_amg.Minimize(energy, control, x);
     summary.strategy =
         fmt::format("auto: newton_amg, for there are {} unknowns or more", kMultigridUnknowns);
-  } else if (control.system_solver) {
+  } else {
     const NewtonCgStrategy newton_cg(WithLimits<NewtonCgOptions>(limits_));
     summary = newton_cg.Minimize(energy, control, x);
-    summary.strategy = "auto: newton_cg, for a factor near the Hessian is at hand";
-  } else {
-    summary = NewtonStrategy(WithLimits<NewtonOptions>(limits_)).Minimize(energy, control, x);
-    summary.strategy = "auto: newton, for no factor is at hand";
+    summary.strategy =
+        "auto: newton_cg, for " +
+        (!control.system_solver ? "each start is new"
+                                : fmt::format("there are fewer than {} unknowns", kMultigridUnknowns));
   }
   return summary;
 }

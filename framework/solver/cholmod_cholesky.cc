@@ -7,6 +7,8 @@
 
 #include <cholmod.h>
 
+#include "cirque/solver/large_buffer.h"
+
 namespace cirque {
 namespace {
 
@@ -50,7 +52,7 @@ class CholmodCholesky final : public SparseCholesky {
   }
 
   ~CholmodCholesky() override {
-    cholmod_free_factor(&factor_, &common_);
+    FreeFactor();
     cholmod_free_dense(&solution_, &common_);
     cholmod_free_dense(&workspace_, &common_);
     cholmod_free_dense(&second_workspace_, &common_);
@@ -78,13 +80,13 @@ class CholmodCholesky final : public SparseCholesky {
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {
-    cholmod_free_factor(&factor_, &common_);
+    FreeFactor();
     cholmod_sparse a = View(lower);
     const bool given = static_cast<Eigen::Index>(suggested_.size()) == lower.cols();
     common_.method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
     factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
     suggested_ = {};
-    return factor_ != nullptr;
+    return factor_ != nullptr && LendMemory();
   }
 
   bool FactorizeNumerically(const SparseMatrix& lower) override {
@@ -94,6 +96,25 @@ class CholmodCholesky final : public SparseCholesky {
   }
 
  private:
+  /// Gives a supernodal factor our memory for its numbers, as its numeric factorization would find
+  /// it from the second time on. CHOLMOD itself returns that memory to the system with every new
+  /// analysis, and to be given pages anew takes up to half the time of factoring.
+  bool LendMemory() {
+    if (!factor_->is_super || factor_->xtype != CHOLMOD_PATTERN) return true;
+    if (!numbers_.Reserve(factor_->xsize)) return false;
+    factor_->x = numbers_.data();
+    factor_->xtype = CHOLMOD_REAL;
+    factor_->dtype = CHOLMOD_DOUBLE;
+    factor_->is_ll = 1;
+    return true;
+  }
+
+  void FreeFactor() {
+    if (factor_ && factor_->x == numbers_.data()) factor_->x = nullptr;
+    cholmod_free_factor(&factor_, &common_);
+  }
+
+  LargeBuffer numbers_;
   std::vector<int> suggested_;  ///< order of the next analysis; empty: AMD's
   cholmod_common common_ = {};
   cholmod_factor* factor_ = nullptr;

@@ -25,12 +25,20 @@ CgResult ConjugateGradients(
   CgResult result;
   x->setZero(right_side.size());
   Eigen::VectorXd residual = right_side;
-  Eigen::VectorXd z = precondition(residual), direction = z;
-  double rho = residual.dot(z);
+  Eigen::VectorXd direction;
+  double last_rho = 0;
   const double target = tolerance * right_side.norm();
   const double start = residual.norm();
   while (!(result.converged = residual.norm() <= target) &&
          MayFinish(start, residual.norm(), target, result.iterations, max_iterations)) {
+    const Eigen::VectorXd z = precondition(residual);
+    const double rho = residual.dot(z);
+    if (result.iterations == 0) {
+      direction = z;
+    } else {
+      direction = z + (rho / last_rho) * direction;
+    }
+    last_rho = rho;
     const Eigen::VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) {
@@ -40,10 +48,6 @@ CgResult ConjugateGradients(
     const double step = rho / curvature;
     *x += step * direction;
     residual -= step * image;
-    z = precondition(residual);
-    const double next_rho = residual.dot(z);
-    direction = z + (next_rho / rho) * direction;
-    rho = next_rho;
     ++result.iterations;
   }
   return result;

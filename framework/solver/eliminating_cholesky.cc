@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "cirque/core/parallel.h"
+
 namespace cirque {
 namespace {
 
 constexpr int kMaxNeighbours = 3;
-constexpr int kEliminated = -1;
 constexpr double kMostNew = 0.2;  ///< share of new unknowns up to which an order is used again
 
 /// Positions of the entries off the diagonal that stand in each row and each column.
@@ -52,6 +53,12 @@ struct Eliminated {
   std::array<int, kMaxNeighbours> kept = {}, position = {};
   double inverse = 0;
   std::array<double, kMaxNeighbours> coupling = {};
+
+  double CouplingTo(int j) const {
+    int n = 0;
+    while (kept[n] != j) ++n;
+    return coupling[n];
+  }
 };
 
 class EliminatingCholesky final : public SparseCholesky {
@@ -59,51 +66,66 @@ class EliminatingCholesky final : public SparseCholesky {
   explicit EliminatingCholesky(std::unique_ptr<SparseCholesky> inner) : inner_(std::move(inner)) {}
 
   Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
-    Eigen::VectorXd reduced(static_cast<Eigen::Index>(kept_.size()));
-    for (std::size_t k = 0; k < kept_.size(); ++k) reduced[k] = right_side[kept_[k]];
-    for (const Eliminated& e : eliminated_) {
-      const double share = right_side[e.unknown] * e.inverse;
-      for (int n = 0; n < e.count; ++n) reduced[e.kept[n]] -= e.coupling[n] * share;
-    }
+    Eigen::VectorXd reduced(NumKept());
+    ParallelFor(NumKept(), [&](int j) {
+      double sum = right_side[kept_[j]];
+      ForEachEliminatedAt(j, [&](const Eliminated& e) {
+        sum -= e.CouplingTo(j) * e.inverse * right_side[e.unknown];
+      });
+      reduced[j] = sum;
+    });
     const Eigen::VectorXd of_kept = kept_.empty() ? reduced : inner_->Solve(reduced);
     Eigen::VectorXd x(right_side.size());
-    for (std::size_t k = 0; k < kept_.size(); ++k) x[kept_[k]] = of_kept[k];
-    for (const Eliminated& e : eliminated_) {
+    ParallelFor(NumKept(), [&](int j) { x[kept_[j]] = of_kept[j]; });
+    ParallelFor(static_cast<int>(eliminated_.size()), [&](int k) {
+      const Eliminated& e = eliminated_[k];
       double rest = right_side[e.unknown];
       for (int n = 0; n < e.count; ++n) rest -= e.coupling[n] * of_kept[e.kept[n]];
       x[e.unknown] = rest * e.inverse;
-    }
+    });
     return x;
   }
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {
     const std::vector<int> order_before = OrderOfKept();
-    const Neighbours neighbours(lower);
-    ChooseEliminated(lower, neighbours);
+    {
+      const Neighbours neighbours(lower);
+      ChooseEliminated(lower, neighbours);
+      ListCouplings(neighbours);
+    }
     inner_->SuggestOrdering(OrderLike(order_before));
-    LayOutComplement(lower);
+    LayOutComplement();
     return kept_.empty() || inner_->Prepare(complement_);
   }
 
   bool FactorizeNumerically(const SparseMatrix& lower) override {
     const double* value = lower.valuePtr();
-    std::fill_n(complement_.valuePtr(), complement_.nonZeros(), 0.0);
-    std::size_t next = 0;
-    const auto add = [&](double x) { complement_.valuePtr()[slot_[next++]] += x; };
-    for (const int p : kept_entry_) add(value[p]);
     for (Eliminated& e : eliminated_) {
       if (!(value[e.diagonal] > 0)) return false;
       e.inverse = 1 / value[e.diagonal];
       for (int n = 0; n < e.count; ++n) e.coupling[n] = value[e.position[n]];
-      for (int n = 0; n < e.count; ++n) {
-        for (int m = 0; m <= n; ++m) add(-e.coupling[n] * e.coupling[m] * e.inverse);
-      }
     }
+    ParallelFor(NumKept(), [&](int j) { FillColumn(lower, j); });
     return kept_.empty() || inner_->Factorize(complement_);
   }
 
  private:
+  /// Of a kept unknown: to a kept one of larger number, or to an eliminated one.
+  struct Coupling {
+    int other;     ///< its number, or ~(its place among the eliminated)
+    int position;  ///< of the entry among the matrix' values
+  };
+
+  int NumKept() const { return static_cast<int>(kept_.size()); }
+
+  template <class Visit>
+  void ForEachEliminatedAt(int j, const Visit& visit) const {
+    for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
+      if (coupling_[k].other < 0) visit(eliminated_[~coupling_[k].other]);
+    }
+  }
+
   /// The unknowns that the inner solver eliminated, in its order.
   std::vector<int> OrderOfKept() const {
     std::vector<int> order = inner_->Ordering();
@@ -122,14 +144,12 @@ class EliminatingCholesky final : public SparseCholesky {
     }
     std::vector<int> order;
     order.reserve(kept_.size());
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-      if (!is_old[kept_[k]]) order.push_back(static_cast<int>(k));
+    for (int k = 0; k < NumKept(); ++k) {
+      if (!is_old[kept_[k]]) order.push_back(k);
     }
-    if (order.size() > kMostNew * static_cast<double>(kept_.size())) return {};
+    if (static_cast<double>(order.size()) > kMostNew * NumKept()) return {};
     for (const int i : order_before) {
-      if (i < static_cast<int>(number_.size()) && number_[i] != kEliminated) {
-        order.push_back(number_[i]);
-      }
+      if (i < static_cast<int>(number_.size()) && number_[i] >= 0) order.push_back(number_[i]);
     }
     return order;
   }
@@ -137,13 +157,13 @@ class EliminatingCholesky final : public SparseCholesky {
   void ChooseEliminated(const SparseMatrix& lower, const Neighbours& neighbours) {
     const int n = static_cast<int>(lower.cols());
     std::vector<bool> must_stay(n, false);
-    number_.assign(n, kEliminated);
+    number_.resize(n);
     kept_.clear();
     eliminated_.clear();
     for (int i = 0; i < n; ++i) {
       const int degree = neighbours.end(i) - neighbours.begin(i);
       if (must_stay[i] || degree > kMaxNeighbours) {
-        number_[i] = static_cast<int>(kept_.size());
+        number_[i] = NumKept();
         kept_.push_back(i);
         continue;
       }
@@ -153,6 +173,7 @@ class EliminatingCholesky final : public SparseCholesky {
         e.kept[k] = neighbours.Other(neighbours.begin(i) + k);
         e.position[k] = neighbours.Position(neighbours.begin(i) + k);
       }
+      number_[i] = ~static_cast<int>(eliminated_.size());
       eliminated_.push_back(e);
     }
     for (Eliminated& e : eliminated_) {
@@ -160,61 +181,86 @@ class EliminatingCholesky final : public SparseCholesky {
     }
   }
 
-  /// The complement's pattern, and for every number that FactorizeNumerically adds its slot there.
-  void LayOutComplement(const SparseMatrix& lower) {
-    std::vector<std::array<int, 2>> entry;  // row and column, in the order of the additions
-    const auto add = [&](int i, int j) { entry.push_back({std::max(i, j), std::min(i, j)}); };
-    kept_entry_.clear();
-    for (const int j : kept_) {
-      for (int p = lower.outerIndexPtr()[j]; p < lower.outerIndexPtr()[j + 1]; ++p) {
-        const int i = number_[lower.innerIndexPtr()[p]];
-        if (i == kEliminated) continue;
-        kept_entry_.push_back(p);
-        add(i, number_[j]);
+  void ListCouplings(const Neighbours& neighbours) {
+    first_coupling_.assign(1, 0);
+    coupling_.clear();
+    coupling_.reserve(3 * eliminated_.size());
+    for (int j = 0; j < NumKept(); ++j) {
+      for (int k = neighbours.begin(kept_[j]); k < neighbours.end(kept_[j]); ++k) {
+        const int other = number_[neighbours.Other(k)];
+        if (other < 0 || other > j) coupling_.push_back({other, neighbours.Position(k)});
       }
+      first_coupling_.push_back(static_cast<int>(coupling_.size()));
     }
-    for (const Eliminated& e : eliminated_) {
-      for (int n = 0; n < e.count; ++n) {
-        for (int m = 0; m <= n; ++m) add(e.kept[n], e.kept[m]);
-      }
-    }
-    Compress(entry);
   }
 
-  /// Sorts the entries by column, then by row, and gives equal ones one slot.
-  void Compress(const std::vector<std::array<int, 2>>& entry) {
-    const int n = static_cast<int>(kept_.size());
-    std::vector<int> first(n + 1, 0), in_column(entry.size());
-    for (const auto& [i, j] : entry) ++first[j + 1];
-    for (int j = 0; j < n; ++j) first[j + 1] += first[j];
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t k = 0; k < entry.size(); ++k) {
-      in_column[next[entry[k][1]]++] = static_cast<int>(k);
+  /// The rows of a column of the complement, increasing.
+  void FindRows(int j, std::vector<int>* rows) const {
+    rows->assign(1, j);
+    for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
+      if (coupling_[k].other >= 0) rows->push_back(coupling_[k].other);
     }
-    slot_.resize(entry.size());
-    std::vector<int> start(n + 1, 0), row;
-    row.reserve(entry.size() / 2);
-    for (int j = 0; j < n; ++j) {
-      const auto begin = in_column.begin() + first[j], end = in_column.begin() + first[j + 1];
-      std::sort(begin, end, [&](int a, int b) { return entry[a][0] < entry[b][0]; });
-      for (auto k = begin; k != end; ++k) {
-        if (k == begin || entry[*k][0] != row.back()) row.push_back(entry[*k][0]);
-        slot_[*k] = static_cast<int>(row.size()) - 1;
+    ForEachEliminatedAt(j, [&](const Eliminated& e) {
+      for (int n = 0; n < e.count; ++n) {
+        if (e.kept[n] > j) rows->push_back(e.kept[n]);
       }
-      start[j + 1] = static_cast<int>(row.size());
+    });
+    std::sort(rows->begin(), rows->end());
+    rows->erase(std::unique(rows->begin(), rows->end()), rows->end());
+  }
+
+  void LayOutComplement() {
+    complement_.resize(NumKept(), NumKept());
+    int* start = complement_.outerIndexPtr();
+    start[0] = 0;
+    ForEachColumn(
+        [&](int j, const std::vector<int>& rows) { start[j + 1] = static_cast<int>(rows.size()); });
+    for (int j = 0; j < NumKept(); ++j) start[j + 1] += start[j];
+    complement_.resizeNonZeros(start[NumKept()]);
+    ForEachColumn([&](int j, const std::vector<int>& rows) {
+      std::copy(rows.begin(), rows.end(), complement_.innerIndexPtr() + start[j]);
+    });
+  }
+
+  /// Calls visit(column, its rows), at once where threads allow.
+  template <class Visit>
+  void ForEachColumn(const Visit& visit) const {
+    ForEachBlock(NumKept(), [&](int, int begin, int end) {
+      std::vector<int> rows;
+      for (int j = begin; j < end; ++j) {
+        FindRows(j, &rows);
+        visit(j, rows);
+      }
+    });
+  }
+
+  void FillColumn(const SparseMatrix& lower, int j) {
+    const double* value = lower.valuePtr();
+    const int* rows = complement_.innerIndexPtr() + complement_.outerIndexPtr()[j];
+    const int count = complement_.outerIndexPtr()[j + 1] - complement_.outerIndexPtr()[j];
+    double* column = complement_.valuePtr() + complement_.outerIndexPtr()[j];
+    const auto add = [&](int i, double x) {
+      column[std::lower_bound(rows, rows + count, i) - rows] += x;
+    };
+    std::fill_n(column, count, 0.0);
+    add(j, value[lower.outerIndexPtr()[kept_[j]]]);
+    for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
+      if (coupling_[k].other >= 0) add(coupling_[k].other, value[coupling_[k].position]);
     }
-    complement_.resize(n, n);
-    complement_.resizeNonZeros(static_cast<Eigen::Index>(row.size()));
-    std::copy(start.begin(), start.end(), complement_.outerIndexPtr());
-    std::copy(row.begin(), row.end(), complement_.innerIndexPtr());
+    ForEachEliminatedAt(j, [&](const Eliminated& e) {
+      const double scaled = e.CouplingTo(j) * e.inverse;
+      for (int n = 0; n < e.count; ++n) {
+        if (e.kept[n] >= j) add(e.kept[n], -scaled * e.coupling[n]);
+      }
+    });
   }
 
   std::unique_ptr<SparseCholesky> inner_;
-  std::vector<int> number_;  ///< per unknown: among the kept, or kEliminated
+  std::vector<int> number_;  ///< per unknown: among the kept, or ~(place among the eliminated)
   std::vector<int> kept_;    ///< the unknowns that stay, in increasing order
   std::vector<Eliminated> eliminated_;
-  std::vector<int> kept_entry_;  ///< positions of the matrix' entries between kept unknowns
-  std::vector<int> slot_;        ///< where each addition goes in the complement's values
+  std::vector<int> first_coupling_;  ///< per kept unknown: where its couplings begin
+  std::vector<Coupling> coupling_;
   SparseMatrix complement_;
 };
 

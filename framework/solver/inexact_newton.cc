@@ -10,7 +10,8 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxAttempts = 12;
-constexpr double kLeastForcing = 1e-10;
+constexpr double kLeastForcing = 1e-3;
+constexpr double kShareOfGoal = 0.3;  ///< what the last system may leave of the gradient tolerance
 
 /// Solves each Newton system, with a shift where the matrix turns out not to be positive definite.
 class InexactDirection {
@@ -21,10 +22,11 @@ class InexactDirection {
   bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
                   Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
-    const double tolerance = Forcing(gradient.norm());
+    const double goal = run_->gradient_tolerance() / gradient.lpNorm<Eigen::Infinity>();
+    const SolveAccuracy accuracy = {Forcing(gradient.norm(), goal), goal};
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const bool solved =
-          solver_->Solve(shift->Apply(hessian_), -gradient, tolerance, direction, &run_->summary());
+          solver_->Solve(shift->Apply(hessian_), -gradient, accuracy, direction, &run_->summary());
       if (solved && direction->dot(gradient) < 0) return true;
       if (!shift->Raise()) return false;
     }
@@ -32,18 +34,19 @@ class InexactDirection {
   }
 
  private:
-  /// How tightly to solve at this gradient norm.
-  double Forcing(double norm) {
+  /// How tightly to solve at this gradient norm, from which the whole solve is to go down by
+  /// `goal`.
+  double Forcing(double norm, double goal) {
     const double ratio = norm / last_norm_;
     last_norm_ = norm;
-    return std::clamp(ratio * ratio, kLeastForcing, forcing_);
+    return std::clamp(std::max(ratio * ratio, kShareOfGoal * goal), kLeastForcing, forcing_);
   }
 
   const double forcing_;
   SystemSolver* solver_;
   SolveRun* run_;
   SparseMatrix hessian_;
-  double last_norm_ = std::numeric_limits<double>::infinity();
+  double last_norm_ = 0;  ///< 0: none, the first system is solved loosely
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxTrials = 50;
-constexpr double kOvershootSlope = 0.5, kOvershootGradient = 0.9;
+constexpr double kOvershootSlope = 0.5, kOvershootGradient = 0.9, kFarBelow = 0.25;
 constexpr double kUnchangedSlope =
     0.9;  ///< a step that leaves this share of the slope was far too short
 
@@ -21,6 +21,7 @@ class Search {
         run_(run),
         slope0_(gradient.dot(direction)),
         norm0_(gradient.norm()),
+        largest0_(gradient.lpNorm<Eigen::Infinity>()),
         low_slope_(slope0_) {}
 
   LineSearchResult Run() {
@@ -58,9 +59,12 @@ class Search {
     return run_->Gradient(point->x, &point->gradient);
   }
 
+  /// Near the minimum either norm may be rounding, and the slope is where the direction has much of
+  /// a gauge's kernel.
   bool AcceptableOvershoot(double slope, const LineSearchResult& point) const {
-    return slope <= -kOvershootSlope * slope0_ &&
-           point.gradient.norm() <= kOvershootGradient * norm0_;
+    const double left = std::min(point.gradient.norm() / norm0_,
+                                 point.gradient.lpNorm<Eigen::Infinity>() / largest0_);
+    return left <= kFarBelow || (left <= kOvershootGradient && slope <= -kOvershootSlope * slope0_);
   }
 
   /// The next trial between low_ and t, where the slope turned positive: the secant's zero, kept
@@ -74,7 +78,7 @@ class Search {
   const Eigen::VectorXd& x_;
   const Eigen::VectorXd& direction_;
   SolveRun* run_;
-  const double slope0_, norm0_;
+  const double slope0_, norm0_, largest0_;
   double low_ = 0, low_slope_, high_ = kNoBound;
   LineSearchResult best_;
 };

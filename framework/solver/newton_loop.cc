@@ -35,6 +35,7 @@ void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::
     shift.Adapt(step.step_length);
     *x = std::move(step.x);
     gradient = std::move(step.gradient);
+    run->Relax(x, &gradient);
     if (!run->Accept(*x, gradient, step.step_length)) return;
   }
 }

@@ -1,28 +1,58 @@
 #include "cirque/solver/reused_factor.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cirque/core/timer.h"
 #include "cirque/solver/conjugate_gradients.h"
+#include "cirque/solver/local_smoother.h"
 
 namespace cirque {
+namespace {
+
+constexpr double kWithNewFactor = 2;  ///< iterations a decade, as the matrix goes on to change
+constexpr double kLeastDecades = 0.1;
+
+Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
+  Eigen::VectorXd diagonal(lower.cols());
+  for (int j = 0; j < lower.cols(); ++j) {
+    diagonal[j] = lower.valuePtr()[lower.outerIndexPtr()[j]];
+  }
+  return diagonal;
+}
+
+}  // namespace
 
 bool ReusedFactor::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                         double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
-  if (IterateOnFactor(lower, right_side, tolerance, x, summary)) return true;
+                         const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) {
+  if (!PaysToFactor(accuracy.goal) &&
+      IterateOnFactor(lower, right_side, accuracy.tolerance, x, summary)) {
+    return true;
+  }
   if (!Factorize(lower, summary)) return false;
   // With its own factor a system may fall short of the tolerance by rounding only.
-  IterateOnFactor(lower, right_side, tolerance, x, summary);
+  IterateOnFactor(lower, right_side, accuracy.tolerance, x, summary);
+  iterations_a_decade_ = 0;
   return x->allFinite();
+}
+
+bool ReusedFactor::PaysToFactor(double goal) const {
+  const double decades = std::max(0.0, -std::log10(goal));
+  return (iterations_a_decade_ - kWithNewFactor) * decades > max_cg_iterations_;
 }
 
 bool ReusedFactor::IterateOnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                                    double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
   if (!has_factor_) return false;
   const Timer timer;
+  const LocalSmoother smoother(lower, factored_diagonal_);
+  const auto solve = [this](const Eigen::VectorXd& b) { return cholesky_->Solve(b); };
   const CgResult cg = ConjugateGradients(
-      lower, right_side, [this](const Eigen::VectorXd& b) { return cholesky_->Solve(b); },
+      lower, right_side, [&](const Eigen::VectorXd& b) { return smoother.Apply(b, solve); },
       tolerance, max_cg_iterations_, x);
+  iterations_a_decade_ = cg.iterations / std::max(kLeastDecades, -std::log10(tolerance));
   summary->cg_iterations += cg.iterations;
-  summary->linear_solves += cg.iterations + 1;
+  summary->linear_solves += cg.iterations;
   summary->solve_seconds += timer.Seconds();
   return cg.converged && x->allFinite();
 }
@@ -31,6 +61,7 @@ bool ReusedFactor::Factorize(const SparseMatrix& lower, SolveSummary* summary) {
   const Timer timer;
   const int analyses_before = cholesky_->symbolic_analyses();
   has_factor_ = cholesky_->Factorize(lower);
+  factored_diagonal_ = Diagonal(lower);
   summary->symbolic_analyses += cholesky_->symbolic_analyses() - analyses_before;
   ++summary->factorizations;
   summary->factorization_seconds += timer.Seconds();

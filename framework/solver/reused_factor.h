@@ -8,8 +8,9 @@
 
 namespace cirque {
 
-/// Solves by conjugate gradients, preconditioned with the last factor, and with a factor of the
-/// system's own when those take longer than factoring anew would.
+/// Solves by conjugate gradients, preconditioned with the last factor and, where the matrix has
+/// changed strongly in few places, with a LocalSmoother there; with a factor of the system's own
+/// when those take longer than factoring anew would.
 class ReusedFactor final : public SystemSolver {
  public:
   /// `max_cg_iterations`: of a system before its matrix is factored. A triangular solve on the dual
@@ -20,17 +21,22 @@ class ReusedFactor final : public SystemSolver {
 
   void Prepare(const SparseMatrix& lower) override { cholesky_->Prepare(lower); }
 
-  bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
-             Eigen::VectorXd* x, SolveSummary* summary) override;
+  bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+             const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) override;
 
  private:
   bool IterateOnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                        double tolerance, Eigen::VectorXd* x, SolveSummary* summary);
   bool Factorize(const SparseMatrix& lower, SolveSummary* summary);
 
+  /// Whether a new factor saves more iterations on the way to the goal than it costs.
+  bool PaysToFactor(double goal) const;
+
   std::unique_ptr<SparseCholesky> cholesky_;
   int max_cg_iterations_;
   bool has_factor_ = false;
+  Eigen::VectorXd factored_diagonal_;
+  double iterations_a_decade_ = 0;  ///< with this factor, in the last system
 };
 
 }  // namespace cirque

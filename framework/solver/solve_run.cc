@@ -11,7 +11,8 @@ namespace {
 constexpr double kProgress =
     0.9;                        ///< a gradient below this share of the least one so far is progress
 constexpr double kDeep = 1e-8;  ///< only gradients below this share of the first may be rounding
-constexpr int kPatience = 2;    ///< steps without progress
+constexpr double kRelaxedShare = 1e-3;
+constexpr int kPatience = 2;  ///< steps without progress
 
 }  // namespace
 
@@ -54,6 +55,19 @@ bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
   ++summary_.hessian_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
   return defined;
+}
+
+void SolveRun::Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
+  const double before = gradient->lpNorm<Eigen::Infinity>();
+  if (!kinks_.empty() || before <= limits_.gradient_tolerance) return;
+  const Timer timer;
+  Eigen::VectorXd relaxed = *x, relaxed_gradient = *gradient;
+  if (energy_.Relax(kRelaxedShare, relaxed.data(), relaxed_gradient.data()) &&
+      relaxed_gradient.lpNorm<Eigen::Infinity>() < before) {
+    x->swap(relaxed);
+    gradient->swap(relaxed_gradient);
+  }
+  summary_.evaluation_seconds += timer.Seconds();
 }
 
 bool SolveRun::Factorize(const SparseMatrix& lower, SparseCholesky* cholesky) {

@@ -23,6 +23,10 @@ class SolveRun {
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
 
+  /// Lets the energy lower itself where few entries of the gradient stand out (Energy::Relax), if
+  /// that makes the largest entry smaller.
+  void Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient);
+
   /// Factors and solves, counted and timed.
   bool Factorize(const SparseMatrix& lower, SparseCholesky* cholesky);
   Eigen::VectorXd Solve(const Eigen::VectorXd& right_side, SparseCholesky* cholesky);
@@ -54,6 +58,7 @@ class SolveRun {
   SolveSummary Finish(const Eigen::VectorXd& x);
 
   SolveSummary& summary() { return summary_; }
+  double gradient_tolerance() const { return limits_.gradient_tolerance; }
   const Energy& energy() const { return energy_; }
   const Kinks& kinks() const { return kinks_; }
 

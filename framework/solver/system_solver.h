@@ -7,6 +7,12 @@
 
 namespace cirque {
 
+/// How exactly a system is to be solved: |A x - b| relative to |b|.
+struct SolveAccuracy {
+  double tolerance;   ///< of this system
+  double goal = 0.1;  ///< of the systems still to come together, when this is one step of many
+};
+
 /// Solves systems whose matrices, symmetric and positive definite, change little from one to the
 /// next: what it has made for one (a factor, a multigrid hierarchy) serves the next.
 class SystemSolver {
@@ -19,8 +25,8 @@ class SystemSolver {
   /// x with |A x - b| <= tolerance |b|, or as near as A's own factor comes; A by its lower
   /// triangle. Counts and times what it does in `summary`. False when A is not positive definite in
   /// floating point.
-  virtual bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
-                     Eigen::VectorXd* x, SolveSummary* summary) = 0;
+  virtual bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                     const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) = 0;
 
   /// What a reader of the summary should know of how the systems were solved; mostly empty.
   virtual std::string Remark() const { return ""; }

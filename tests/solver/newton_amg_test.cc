@@ -51,7 +51,7 @@ class AmgSystemSolverTest : public ::testing::TestWithParam<std::string> {
   double Residual(AmgSystemSolver* solver, const SparseMatrix& lower, double tolerance) {
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), 1, 3);
     Eigen::VectorXd x;
-    EXPECT_TRUE(solver->Solve(lower, b, tolerance, &x, &summary_));
+    EXPECT_TRUE(solver->Solve(lower, b, {tolerance}, &x, &summary_));
     return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
   }
 
@@ -105,7 +105,7 @@ TEST_P(AmgSystemSolverTest, AnIndefiniteMatrixIsRefused) {
   AmgSystemSolver solver({GetParam()});
   const SparseMatrix lower = GridMatrix(kSide, -0.5);
   Eigen::VectorXd x;
-  EXPECT_FALSE(solver.Solve(lower, Eigen::VectorXd::Ones(lower.cols()), 1e-8, &x, &summary_));
+  EXPECT_FALSE(solver.Solve(lower, Eigen::VectorXd::Ones(lower.cols()), {1e-8}, &x, &summary_));
   EXPECT_EQ(solver.Remark(), "");
 }
 

@@ -30,7 +30,7 @@ class ReusedFactorTest : public ::testing::Test {
     const SparseMatrix lower = PathMatrix(weight);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(weight.size(), 1, 3);
     Eigen::VectorXd x;
-    EXPECT_TRUE(factor_.Solve(lower, b, tolerance, &x, &summary_));
+    EXPECT_TRUE(factor_.Solve(lower, b, {tolerance}, &x, &summary_));
     return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
   }
 
@@ -57,7 +57,7 @@ TEST_F(ReusedFactorTest, LargeChangesAreFactoredAnew) {
 
 TEST_F(ReusedFactorTest, AnIndefiniteMatrixIsRefused) {
   Eigen::VectorXd x;
-  EXPECT_FALSE(factor_.Solve(PathMatrix(-ones_), ones_, 1e-8, &x, &summary_));
+  EXPECT_FALSE(factor_.Solve(PathMatrix(-ones_), ones_, {1e-8}, &x, &summary_));
 }
 
 /// sum_i cosh(x_i - i): minimal at x_i = i.
@@ -90,8 +90,7 @@ TEST(AutoStrategy, SaysWhatItChoseAndWhy) {
     const SolveSummary summary = strategy.Minimize(Coshes(), control, &x);
     EXPECT_TRUE(summary.Converged()) << summary.message;
     EXPECT_LT((x - Eigen::VectorXd::LinSpaced(5, 0, 4)).norm(), 1e-10);
-    EXPECT_TRUE(summary.strategy.starts_with(given ? "auto: newton_cg" : "auto: newton,"))
-        << summary.strategy;
+    EXPECT_TRUE(summary.strategy.starts_with("auto: newton_cg, for ")) << summary.strategy;
   }
 }
 

@@ -1,0 +1,29 @@
+#include "cirque/solver/large_buffer.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace cirque {
+namespace {
+
+constexpr std::size_t kPage = std::size_t{1} << 21;  ///< bytes of a large page
+constexpr double kHeadroom = 1.2;  ///< factors of like patterns differ by some per cent
+
+}  // namespace
+
+bool LargeBuffer::Reserve(std::size_t count) {
+  if (count <= capacity_) return true;
+  data_.reset();
+  const auto wanted =
+      static_cast<std::size_t>(kHeadroom * static_cast<double>(count * sizeof(double)));
+  const std::size_t bytes = (wanted / kPage + 1) * kPage;
+  data_.reset(static_cast<double*>(std::aligned_alloc(kPage, bytes)));
+  capacity_ = data_ ? bytes / sizeof(double) : 0;
+#ifdef __linux__
+  if (data_) madvise(data_.get(), bytes, MADV_HUGEPAGE);
+#endif
+  return data_ != nullptr;
+}
+
+}  // namespace cirque

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/energy/energy.h"
+
+namespace cirque {
+
+/// Makes the factor of one matrix a good preconditioner for another that differs from it strongly
+/// in a few rows, as the normal matrices of an angle fit do where edges have become active: sweeps
+/// of Gauss-Seidel over those rows and what is near them, forwards before the factor is applied and
+/// backwards after it (a multiplicative Schwarz method; Saad, Iterative methods, 14.3). Conjugate
+/// gradients would take several iterations for every place where a few rows changed.
+class LocalSmoother {
+ public:
+  /// For `lower`, when a factor of the matrix with this diagonal is at hand. Has no rows, and does
+  /// nothing, where no diagonal entry changed much or so many did that local work would not help.
+  LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before);
+
+  /// An approximation of A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
+  Eigen::VectorXd Apply(const Eigen::VectorXd& b,
+                        const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve) const;
+
+  int num_rows() const { return static_cast<int>(rows_.size()); }
+
+ private:
+  struct Entry {
+    int column;
+    double value;
+  };
+
+  void CollectRows(const SparseMatrix& lower, const std::vector<bool>& chosen);
+
+  /// Solves the k-th row for its own unknown.
+  void Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) const;
+
+  std::vector<int> rows_;   ///< increasing
+  std::vector<int> first_;  ///< per row, where its entries off the diagonal begin
+  std::vector<Entry> entries_;
+  std::vector<double> diagonal_;
+};
+
+}  // namespace cirque
