@@ -13,18 +13,23 @@ constexpr double kLeastCurvature = 1e-6;  ///< below, all of a row's angles are 
 
 }  // namespace
 
-/// One row's multiplier on its way to where the row's sum is met: a scalar equation, monotone and
+/// Rows' multipliers, one at a time, on their way to where the row's sum is met: a scalar equation, monotone and
 /// mostly linear in pieces.
 class DualAngleEnergy::RowMove {
  public:
-  RowMove(const DualAngleEnergy& energy, int row, double* y)
-      : energy_(energy), row_(row), y_(y), start_(y[row]) {
-    const Triangulation& t = energy.constraints_.triangulation();
-    energy.ForEachCornerOfRow(row, [&](Index h) {
+  RowMove(const DualAngleEnergy& energy, double* y) : energy_(energy), y_(y) {}
+
+  /// Turns to a row.
+  void Take(int row) {
+    row_ = row;
+    start_ = y_[row];
+    edges_.clear();
+    const Triangulation& t = energy_.constraints_.triangulation();
+    energy_.ForEachCornerOfRow(row, [&](Index h) {
       const Index l = t.edge_halfedge[t.edge[h]], r = t.twin[l];
-      const bool has_l = energy.IsInRow(l, row), has_r = r != kNone && energy.IsInRow(r, row);
+      const bool has_l = energy_.IsInRow(l, row), has_r = r != kNone && energy_.IsInRow(r, row);
       if (h == r && has_l) return;
-      edges_.push_back({t.edge[h], has_l, has_r, energy.Conjugate(t.edge[h], y), {}});
+      edges_.push_back({t.edge[h], has_l, has_r, energy_.Conjugate(t.edge[h], y_), {}});
     });
   }
 
@@ -84,17 +89,18 @@ class DualAngleEnergy::RowMove {
   }
 
   const DualAngleEnergy& energy_;
-  const int row_;
   double* y_;
-  const double start_;
+  int row_ = 0;
+  double start_ = 0;
   std::vector<RowEdge> edges_;
 };
 
 bool DualAngleEnergy::Relax(double share, double* y, double* gradient) const {
   if (constraints_.HasRanges()) return false;
   Eigen::Map<Eigen::VectorXd> of_row(gradient, NumParameters());
+  RowMove move(*this, y);
   return RelaxParameters(share, of_row, [&](int row, const auto& change) {
-    RowMove move(*this, row, y);
+    move.Take(row);
     move.Run(of_row[row]);
     move.TellChanges(change);
   });

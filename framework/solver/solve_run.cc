@@ -11,8 +11,9 @@ namespace {
 constexpr double kProgress =
     0.9;                        ///< a gradient below this share of the least one so far is progress
 constexpr double kDeep = 1e-8;  ///< only gradients below this share of the first may be rounding
-constexpr double kRelaxedShare = 1e-3;
-constexpr int kPatience = 2;  ///< steps without progress
+constexpr int kRelaxations = 3;
+constexpr double kRelaxedShare = 0.1;  ///< of the largest entry, in each of them
+constexpr int kPatience = 2;           ///< steps without progress
 
 }  // namespace
 
@@ -58,12 +59,13 @@ bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
 }
 
 void SolveRun::Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
-  const double before = gradient->lpNorm<Eigen::Infinity>();
-  if (!kinks_.empty() || before <= limits_.gradient_tolerance) return;
   const Timer timer;
-  Eigen::VectorXd relaxed = *x, relaxed_gradient = *gradient;
-  if (energy_.Relax(kRelaxedShare, relaxed.data(), relaxed_gradient.data()) &&
-      relaxed_gradient.lpNorm<Eigen::Infinity>() < before) {
+  for (int i = 0; i < kRelaxations && kinks_.empty(); ++i) {
+    const double before = gradient->lpNorm<Eigen::Infinity>();
+    if (before <= limits_.gradient_tolerance) break;
+    Eigen::VectorXd relaxed = *x, relaxed_gradient = *gradient;
+    if (!energy_.Relax(kRelaxedShare, relaxed.data(), relaxed_gradient.data())) break;
+    if (!(relaxed_gradient.lpNorm<Eigen::Infinity>() < before)) break;
     x->swap(relaxed);
     gradient->swap(relaxed_gradient);
   }

@@ -23,8 +23,8 @@ class SolveRun {
   bool Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient);
   bool Hessian(const Eigen::VectorXd& x, SparseMatrix* lower);
 
-  /// Lets the energy lower itself where few entries of the gradient stand out (Energy::Relax), if
-  /// that makes the largest entry smaller.
+  /// Lets the energy lower itself where few entries of the gradient stand out (Energy::Relax), a
+  /// few times, as long as that makes the largest entry smaller.
   void Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient);
 
   /// Factors and solves, counted and timed.
