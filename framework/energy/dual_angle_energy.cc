@@ -78,6 +78,16 @@ bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
   return true;
 }
 
+bool DualAngleEnergy::SmoothHessian(const double*, SparseMatrix* lower) const {
+  EdgeBlockAssembler matrix(constraints_);
+  ParallelFor(constraints_.triangulation().num_halfedges(), [&](Index h) {
+    const double reference = objective_->ClampReference(reference_[h], epsilon_);
+    matrix.Add(h, h, 1 / objective_->Distance(reference, reference).curvature);
+  });
+  matrix.Assemble(lower);
+  return true;
+}
+
 std::vector<int> DualAngleEnergy::GaugeParameters() const {
   // Along the kernel of A' the term b.y changes with the sides of ranged multipliers.
   const bool constant = constraints_.HasGauge() && !constraints_.HasRanges();

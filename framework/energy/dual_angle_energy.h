@@ -28,6 +28,9 @@ class DualAngleEnergy final : public Energy {
   int NumParameters() const override { return constraints_.num_rows(); }
   bool Evaluate(const double* y, double* value, double* gradient) const override;
   bool Hessian(const double* y, SparseMatrix* lower) const override;
+
+  /// As if no inequality were active: whatever y is.
+  bool SmoothHessian(const double* y, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override;
   std::vector<Kink> Kinks() const override;
   double LeastHessianShift() const override { return 1e-9; }

@@ -13,8 +13,8 @@ constexpr double kLeastCurvature = 1e-6;  ///< below, all of a row's angles are 
 
 }  // namespace
 
-/// Rows' multipliers, one at a time, on their way to where the row's sum is met: a scalar equation, monotone and
-/// mostly linear in pieces.
+/// Rows' multipliers, one at a time, on their way to where the row's sum is met: a scalar equation,
+/// monotone and mostly linear in pieces.
 class DualAngleEnergy::RowMove {
  public:
   RowMove(const DualAngleEnergy& energy, double* y) : energy_(energy), y_(y) {}
@@ -38,7 +38,8 @@ class DualAngleEnergy::RowMove {
     double step = -excess / Curvature();
     for (int trial = 0; trial < kMaxTrials && std::isfinite(step); ++trial) {
       const double left = MoveTo(start_ + step, excess);
-      if (left * excess >= 0 || std::abs(left) <= kEnough * std::abs(excess)) return;
+      const bool enough = std::abs(left) <= kEnough * std::abs(excess);
+      if (left * excess >= 0 || (enough && ValueChange() <= 0)) return;
       step *= excess / (excess - left);
     }
     MoveTo(start_, excess);
@@ -66,7 +67,7 @@ class DualAngleEnergy::RowMove {
     EdgeConjugate before, after;
   };
 
-  /// d sum / d y; infinite where hardly any angle can move.
+  /// d sum / d y; 0 where hardly any angle can move.
   double Curvature() const {
     double sum = 0;
     for (const RowEdge& e : edges_) {
@@ -75,6 +76,13 @@ class DualAngleEnergy::RowMove {
       if (e.has_l && e.has_r) sum += 2 * e.before.h_lr;
     }
     return sum > kLeastCurvature ? sum : 0;
+  }
+
+  /// By how much the energy is higher than at the start.
+  double ValueChange() const {
+    double change = -energy_.constraints_.Lower(row_) * (y_[row_] - start_);
+    for (const RowEdge& e : edges_) change += e.after.value - e.before.value;
+    return change;
   }
 
   /// The excess there.

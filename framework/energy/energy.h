@@ -43,6 +43,11 @@ class Energy : public ceres::FirstOrderFunction {
   /// domain.
   virtual bool Hessian(const double* x, SparseMatrix* lower) const = 0;
 
+  /// The lower triangle of a matrix near the Hessians around x but for few rows: a graph's weighted
+  /// Laplacian, which multigrid takes better than what an energy's Hessian may have in those rows.
+  /// False where the Hessian itself is such a matrix.
+  virtual bool SmoothHessian(const double* /*x*/, SparseMatrix* /*lower*/) const { return false; }
+
   /// Whether the Hessian is positive semidefinite in the whole domain.
   virtual bool IsConvex() const { return true; }
 

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "cirque/core/timer.h"
+#include "cirque/solver/conjugate_gradients.h"
 #include "cirque/solver/eliminating_cholesky.h"
+#include "cirque/solver/local_smoother.h"
 
 namespace cirque {
 namespace {
@@ -17,6 +19,7 @@ constexpr int kFactorIterations = 6;
 constexpr int kMostFailures = 2;
 /// A hierarchy costs about as much as this many iterations on it.
 constexpr double kSetUpIterations = 10;
+constexpr double kInnerTolerance = 0.1;  ///< of the solves inside conjugate gradients
 
 }  // namespace
 
@@ -125,7 +128,8 @@ class AmgSystemSolver::Reduced final : public SparseCholesky {
 AmgSystemSolver::AmgSystemSolver(const AmgOptions& options)
     : reduced_(new Reduced(options)),
       elimination_(MakeEliminatingCholesky(std::unique_ptr<SparseCholesky>(reduced_))),
-      factor_(MakeCholesky(), kFactorIterations) {}
+      factor_(MakeCholesky(), kFactorIterations),
+      max_cg_iterations_(options.max_cg_iterations) {}
 
 AmgSystemSolver::~AmgSystemSolver() = default;
 
@@ -145,13 +149,38 @@ bool AmgSystemSolver::Solve(const SparseMatrix& lower, const Eigen::VectorXd& ri
 bool AmgSystemSolver::SolveByMultigrid(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                                        double tolerance, Eigen::VectorXd* x,
                                        SolveSummary* summary) {
+  if (near_diagonal_.size() > 0) return SolveNear(lower, right_side, tolerance, x, summary);
   // What was eliminated is solved exactly, so the residual is that of the rest.
   reduced_->Prepare(tolerance * right_side.norm(), summary);
   const int analyses = elimination_->symbolic_analyses();
   const bool reduced = elimination_->Factorize(lower);
   summary->symbolic_analyses += elimination_->symbolic_analyses() - analyses;
   if (reduced) *x = elimination_->Solve(right_side);
-  if (reduced && reduced_->converged() && x->allFinite()) return true;
+  return (reduced && reduced_->converged() && x->allFinite()) || Fail();
+}
+
+void AmgSystemSolver::ExpectSystemsNear(const SparseMatrix& lower, SolveSummary* summary) {
+  reduced_->Prepare(0, summary);
+  if (elimination_->Factorize(lower)) near_diagonal_ = Diagonal(lower);
+}
+
+bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                                double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
+  const LocalSmoother smoother(lower, near_diagonal_);
+  bool cycled = true;
+  const auto solve = [&](const Eigen::VectorXd& b) {
+    reduced_->Prepare(kInnerTolerance * b.norm(), summary);
+    Eigen::VectorXd of_near = elimination_->Solve(b);
+    cycled = cycled && reduced_->converged();
+    return of_near;
+  };
+  const CgResult cg = ConjugateGradients(
+      lower, right_side, [&](const Eigen::VectorXd& b) { return smoother.Apply(b, solve); },
+      tolerance, max_cg_iterations_, x);
+  return (cycled && cg.converged && x->allFinite()) || Fail();
+}
+
+bool AmgSystemSolver::Fail() {
   reason_ = reduced_->error().empty() ? "multigrid did not converge" : reduced_->error();
   return false;
 }

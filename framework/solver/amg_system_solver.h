@@ -24,6 +24,11 @@ class AmgSystemSolver final : public SystemSolver {
   explicit AmgSystemSolver(const AmgOptions& options);
   ~AmgSystemSolver() override;
 
+  /// Says that the systems to come are near this one but for few rows. The hierarchy then is this
+  /// one's, a LocalSmoother sees to those rows, and conjugate gradients on the system itself to the
+  /// rest.
+  void ExpectSystemsNear(const SparseMatrix& lower, SolveSummary* summary);
+
   bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
              const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) override;
   std::string Remark() const override;
@@ -33,10 +38,17 @@ class AmgSystemSolver final : public SystemSolver {
 
   bool SolveByMultigrid(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                         double tolerance, Eigen::VectorXd* x, SolveSummary* summary);
+  bool SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
+                 Eigen::VectorXd* x, SolveSummary* summary);
+
+  /// Keeps why multigrid failed.
+  bool Fail();
 
   Reduced* reduced_;  ///< belongs to elimination_
   std::unique_ptr<SparseCholesky> elimination_;
   ReusedFactor factor_;
+  Eigen::VectorXd near_diagonal_;  ///< of the matrix that systems are near; empty: none
+  int max_cg_iterations_;
   int num_systems_ = 0, num_factored_ = 0;
   std::string reason_;  ///< of the last factored system
 };

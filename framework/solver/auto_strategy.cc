@@ -43,10 +43,10 @@ SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& co
   } else {
     const NewtonCgStrategy newton_cg(WithLimits<NewtonCgOptions>(limits_));
     summary = newton_cg.Minimize(energy, control, x);
-    summary.strategy =
-        "auto: newton_cg, for " +
-        (!control.system_solver ? "each start is new"
-                                : fmt::format("there are fewer than {} unknowns", kMultigridUnknowns));
+    summary.strategy = "auto: newton_cg, for " +
+                       (!control.system_solver
+                            ? "each start is new"
+                            : fmt::format("there are fewer than {} unknowns", kMultigridUnknowns));
   }
   return summary;
 }

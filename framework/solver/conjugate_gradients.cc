@@ -5,7 +5,7 @@
 namespace cirque {
 namespace {
 
-constexpr int kTrialIterations = 3;
+constexpr int kTrialIterations = 6;
 
 /// Whether the residual, should it go on falling as it has so far, reaches its target in time. The
 /// first iterations say too little.
@@ -25,7 +25,7 @@ CgResult ConjugateGradients(
   CgResult result;
   x->setZero(right_side.size());
   Eigen::VectorXd residual = right_side;
-  Eigen::VectorXd direction;
+  Eigen::VectorXd direction, last_residual;
   double last_rho = 0;
   const double target = tolerance * right_side.norm();
   const double start = residual.norm();
@@ -36,9 +36,10 @@ CgResult ConjugateGradients(
     if (result.iterations == 0) {
       direction = z;
     } else {
-      direction = z + (rho / last_rho) * direction;
+      direction = z + ((rho - last_residual.dot(z)) / last_rho) * direction;
     }
     last_rho = rho;
+    last_residual = residual;
     const Eigen::VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
     const double curvature = direction.dot(image);
     if (!(curvature > 0)) {

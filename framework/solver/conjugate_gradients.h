@@ -17,8 +17,9 @@ struct CgResult {
 
 /// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle, the
 /// preconditioner as a function that applies an approximate inverse (Hestenes & Stiefel 1952; Saad,
-/// Iterative methods, alg. 9.1). Gives up early where the residual falls too slowly to reach its
-/// target within max_iterations.
+/// Iterative methods, alg. 9.1). That may vary a little from one iteration to the next, as an
+/// iterative solve of its own does (flexible: Notay, SIAM J. Sci. Comput. 22, 2000). Gives up early
+/// where the residual falls too slowly to reach its target within max_iterations.
 CgResult ConjugateGradients(
     const SparseMatrix& lower, const Eigen::VectorXd& right_side,
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition, double tolerance,

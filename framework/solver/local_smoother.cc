@@ -4,19 +4,28 @@
 #include <cmath>
 
 namespace cirque {
+
+Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
+  Eigen::VectorXd diagonal(lower.cols());
+  for (int j = 0; j < lower.cols(); ++j) {
+    diagonal[j] = lower.valuePtr()[lower.outerIndexPtr()[j]];
+  }
+  return diagonal;
+}
+
 namespace {
 
 constexpr double kChanged = 0.05;      ///< of a diagonal entry
-constexpr double kMostChanged = 0.02;  ///< of all rows
-constexpr int kRings = 2;              ///< of neighbours of changed rows
-constexpr int kSweeps = 5;
+constexpr double kMostChanged = 0.05;  ///< of all rows
+constexpr int kRings = 3;              ///< of neighbours of changed rows
+constexpr int kSweeps = 8;
 
 /// The rows whose diagonal entry changed.
 std::vector<bool> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& before) {
+  const Eigen::VectorXd now = Diagonal(lower);
   std::vector<bool> changed(lower.cols());
   for (int j = 0; j < lower.cols(); ++j) {
-    const double now = lower.valuePtr()[lower.outerIndexPtr()[j]];
-    changed[j] = std::abs(now - before[j]) > kChanged * before[j];
+    changed[j] = std::abs(now[j] - before[j]) > kChanged * before[j];
   }
   return changed;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cirque/solver/inexact_newton.h"
+#include "cirque/solver/regularization.h"
 
 namespace cirque {
 
@@ -30,6 +31,9 @@ SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveContro
   SolveRun run("newton_amg", options_, control, energy);
   AmgSystemSolver own(options_);
   SystemSolver* solver = control.system_solver ? control.system_solver : &own;
+  if (SparseMatrix smooth; !control.system_solver && energy.SmoothHessian(x->data(), &smooth)) {
+    own.ExpectSystemsNear(HessianShift(energy).Apply(smooth), &run.summary());
+  }
   IterateInexactNewton(options_.forcing, solver, &run, x);
   SolveSummary summary = run.Finish(*x);
   if (const std::string remark = solver->Remark(); !remark.empty()) {

@@ -8,7 +8,7 @@ namespace cirque {
 
 struct NewtonCgOptions : SolverLimits {
   std::string linear_solver;   ///< a name of LinearSolvers(); empty: its first
-  int max_cg_iterations = 10;  ///< a step: beyond, factoring anew is taken to be cheaper
+  int max_cg_iterations = 12;  ///< a step: beyond, factoring anew is taken to be cheaper
   double forcing = 0.01;       ///< relative residual of the first steps' linear systems
 };
 

@@ -13,14 +13,6 @@ namespace {
 constexpr double kWithNewFactor = 2;  ///< iterations a decade, as the matrix goes on to change
 constexpr double kLeastDecades = 0.1;
 
-Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
-  Eigen::VectorXd diagonal(lower.cols());
-  for (int j = 0; j < lower.cols(); ++j) {
-    diagonal[j] = lower.valuePtr()[lower.outerIndexPtr()[j]];
-  }
-  return diagonal;
-}
-
 }  // namespace
 
 bool ReusedFactor::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kProgress =
     0.9;                        ///< a gradient below this share of the least one so far is progress
-constexpr double kDeep = 1e-8;  ///< only gradients below this share of the first may be rounding
+constexpr double kDeep = 1e-7;  ///< only gradients below this share of the first may be rounding
 constexpr int kRelaxations = 3;
 constexpr double kRelaxedShare = 0.1;  ///< of the largest entry, in each of them
 constexpr int kPatience = 2;           ///< steps without progress

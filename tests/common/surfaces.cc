@@ -124,6 +124,18 @@ Surface RegularPolyhedron(int num_faces) {
   return SurfaceOf(soup);
 }
 
+Triangulation WithFoldedFace(const Triangulation& t, Index h) {
+  const Index g = t.twin[h], a = t.Tail(h), b = t.Tip(h);
+  CHECK_NE(g, kNone);
+  const Index first = t.num_halfedges(), folded = first + 3;
+  std::vector<Index> vertex = t.vertex, twin = t.twin;
+  vertex.insert(vertex.end(), {a, b, a, t.num_vertices, a, a});
+  twin.insert(twin.end(), {h, folded, g, first + 1, folded + 2, folded + 1});
+  twin[h] = first;
+  twin[g] = first + 2;
+  return NumberEdges(t.num_vertices + 1, std::move(vertex), std::move(twin));
+}
+
 CornerAngles AnglesOf(const Surface& surface) {
   return MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
 }

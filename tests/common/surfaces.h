@@ -40,6 +40,12 @@ Surface Kleetope(const Surface& surface);
 /// The regular polyhedron of 4, 8 or 20 triangles on the unit sphere.
 Surface RegularPolyhedron(int num_faces);
 
+/// Opens the inner edge of halfedge h, from a to b, and fills the gap with two faces: one of the
+/// corners a, b, a, and in the loop that it leaves at a one whose other two sides are glued to each
+/// other round a new vertex, the last, of one corner. What intrinsic flips may lead to, but no
+/// simplicial complex.
+Triangulation WithFoldedFace(const Triangulation& triangulation, Index h);
+
 /// The surface with its points moved.
 template <class Map>
 Surface Moved(Surface surface, const Map& map) {

@@ -6,6 +6,8 @@
 
 #include "cirque/solver/auto_strategy.h"
 
+#include "tests/solver/grid_matrix.h"
+
 namespace cirque {
 namespace {
 
@@ -27,10 +29,14 @@ class ReusedFactorTest : public ::testing::Test {
  protected:
   /// |A x - b| / |b| of a solve with these weights.
   double Residual(const Eigen::VectorXd& weight, double tolerance) {
-    const SparseMatrix lower = PathMatrix(weight);
-    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(weight.size(), 1, 3);
+    return ResidualOf(PathMatrix(weight), {tolerance});
+  }
+
+  /// The same of any system.
+  double ResidualOf(const SparseMatrix& lower, const SolveAccuracy& accuracy) {
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), 1, 3);
     Eigen::VectorXd x;
-    EXPECT_TRUE(factor_.Solve(lower, b, {tolerance}, &x, &summary_));
+    EXPECT_TRUE(factor_.Solve(lower, b, accuracy, &x, &summary_));
     return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
   }
 
@@ -53,6 +59,52 @@ TEST_F(ReusedFactorTest, LargeChangesAreFactoredAnew) {
   EXPECT_LT(Residual(wild, 1e-8), 1e-8);
   EXPECT_EQ(summary_.factorizations, 2);
   EXPECT_EQ(summary_.symbolic_analyses, 1);
+}
+
+TEST_F(ReusedFactorTest, AFewStrongChangesTakeIterationsNotFactors) {
+  Eigen::VectorXd weight = Eigen::VectorXd::Ones(400);
+  EXPECT_LT(Residual(weight, 1e-10), 1e-10);
+  const int before = summary_.cg_iterations;
+  weight[100] = 50;
+  weight[200] = 20;
+  weight[300] = 1e3;
+  EXPECT_LT(Residual(weight, 1e-3), 1e-3);
+  EXPECT_EQ(summary_.factorizations, 1);
+  EXPECT_GT(summary_.cg_iterations, before + 1);
+}
+
+TEST_F(ReusedFactorTest, MoreStrongChangesThanIterationsTakeNoFactor) {
+  // Ten different changes are ten eigenvalues apart: the factor alone would need eleven iterations.
+  constexpr int kSide = 40;
+  SparseMatrix grid = GridMatrix(kSide, 1e-3);
+  EXPECT_LT(ResidualOf(grid, {1e-10}), 1e-10);
+  double more = 2;
+  for (int k = 0; k < 10; ++k, more *= 1.6) {
+    const int i = (3 + 3 * k) * kSide + 3 * k;
+    grid.coeffRef(i, i) += more;
+    grid.coeffRef(i + 1, i + 1) += more;
+    grid.coeffRef(i + 1, i) -= more;
+  }
+  EXPECT_LT(ResidualOf(grid, {1e-6}), 1e-6);
+  EXPECT_EQ(summary_.factorizations, 1);
+}
+
+TEST_F(ReusedFactorTest, AFactorIsMadeWhereTheWayIsLong) {
+  const SparseMatrix grid = GridMatrix(40, 1e-3), other = GridMatrix(40, 1e-3, 1);
+  for (const double goal : {1e-1, 1e-10}) {
+    ReusedFactor factor(MakeCholesky(), 6);
+    SolveSummary summary;
+    Eigen::VectorXd x;
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(grid.cols(), 1, 3);
+    for (const SparseMatrix* lower : {&grid, &other}) {
+      EXPECT_TRUE(factor.Solve(*lower, b, {1e-1, goal}, &x, &summary));
+      EXPECT_EQ(summary.factorizations, 1) << "how well the factor fits is not known yet";
+    }
+    // The first iteration is that of the first system.
+    EXPECT_GT(summary.cg_iterations, 1 + 2);
+    EXPECT_TRUE(factor.Solve(other, b, {1e-1, goal}, &x, &summary));
+    EXPECT_EQ(summary.factorizations, goal < 1e-1 ? 2 : 1) << goal;
+  }
 }
 
 TEST_F(ReusedFactorTest, AnIndefiniteMatrixIsRefused) {

@@ -1,0 +1,68 @@
+#include "cirque/solver/large_buffer.h"
+
+#include <cstddef>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace cirque {
+namespace {
+
+constexpr std::size_t kCount = 3'000'000;
+
+/// Writes the first and last number and reads them back.
+void ExpectWritable(const LargeBuffer& buffer, std::size_t count) {
+  ASSERT_NE(buffer.data(), nullptr);
+  buffer.data()[0] = 1.5;
+  buffer.data()[count - 1] = -2.5;
+  EXPECT_EQ(buffer.data()[0], count == 1 ? -2.5 : 1.5);
+  EXPECT_EQ(buffer.data()[count - 1], -2.5);
+}
+
+TEST(LargeBuffer, IsWritableFromEndToEndAsItGrows) {
+  LargeBuffer buffer;
+  EXPECT_EQ(buffer.data(), nullptr);
+  // About the size of a large page, 2^18 numbers, too.
+  for (const std::size_t count :
+       {std::size_t{1}, std::size_t{1} << 18, (std::size_t{1} << 18) + 1, kCount, 4 * kCount}) {
+    ASSERT_TRUE(buffer.Reserve(count));
+    ExpectWritable(buffer, count);
+  }
+}
+
+TEST(LargeBuffer, KeepsItsMemoryForWhatIsNotMuchLarger) {
+  LargeBuffer buffer;
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  const double* data = buffer.data();
+  ExpectWritable(buffer, kCount);
+  for (const std::size_t count : {kCount, kCount / 2, std::size_t{0}, kCount + kCount / 10}) {
+    ASSERT_TRUE(buffer.Reserve(count));
+    EXPECT_EQ(buffer.data(), data);
+    EXPECT_EQ(data[kCount - 1], -2.5) << "the pages are other ones";
+  }
+  ExpectWritable(buffer, kCount + kCount / 10);
+}
+
+TEST(LargeBuffer, KeepsWhatItGrewTo) {
+  LargeBuffer buffer;
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  ASSERT_TRUE(buffer.Reserve(3 * kCount));
+  const double* data = buffer.data();
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  ASSERT_TRUE(buffer.Reserve(3 * kCount));
+  EXPECT_EQ(buffer.data(), data);
+  ExpectWritable(buffer, 3 * kCount);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which ends the program where memory runs out
+TEST(LargeBuffer, SaysThatMemoryRanOutAndServesWhatFits) {
+  LargeBuffer buffer;
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  EXPECT_FALSE(buffer.Reserve(std::numeric_limits<std::size_t>::max() / 64));
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  ExpectWritable(buffer, kCount);
+}
+#endif
+
+}  // namespace
+}  // namespace cirque
