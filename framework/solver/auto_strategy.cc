@@ -1,5 +1,7 @@
 #include "cirque/solver/auto_strategy.h"
 
+#include <string>
+
 #include <fmt/format.h>
 
 #include "cirque/solver/newton_amg_strategy.h"
@@ -9,8 +11,7 @@
 namespace cirque {
 namespace {
 
-/// Just above the largest systems measured (results/multigrid.md): there a factor takes a third
-/// more memory than multigrid, and the share grows; in time neither is far ahead.
+/// Where multigrid takes as long as a factor and a third less memory (results/multigrid.md).
 constexpr int kMultigridUnknowns = 10000000;
 
 /// The limits as the first part of another strategy's options.
@@ -35,19 +36,18 @@ const OptionTable<SolverLimits>& AutoOptionTable() {
 SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                     Eigen::VectorXd* x) const {
   SolveSummary summary;
-  if (control.system_solver && UsesMultigrid(energy.NumParameters())) {
+  std::string reason = fmt::format("there are {} unknowns or more", kMultigridUnknowns);
+  if (UsesMultigrid(energy.NumParameters())) {
     const NewtonAmgStrategy newton_amg(WithLimits<NewtonAmgOptions>(limits_));
     summary = newton_amg.Minimize(energy, control, x);
-    summary.strategy =
-        fmt::format("auto: newton_amg, for there are {} unknowns or more", kMultigridUnknowns);
   } else {
     const NewtonCgStrategy newton_cg(WithLimits<NewtonCgOptions>(limits_));
     summary = newton_cg.Minimize(energy, control, x);
-    summary.strategy = "auto: newton_cg, for " +
-                       (!control.system_solver
-                            ? "each start is new"
-                            : fmt::format("there are fewer than {} unknowns", kMultigridUnknowns));
+    reason = BuiltWithMultigrid()
+                 ? fmt::format("there are fewer than {} unknowns", kMultigridUnknowns)
+                 : "multigrid was not built in";
   }
+  summary.strategy = fmt::format("auto: {}, for {}", summary.strategy, reason);
   return summary;
 }
 

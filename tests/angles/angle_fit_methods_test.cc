@@ -1,10 +1,9 @@
 // Every angle-fit method on every objective: the same minimiser, the same report.
+#include <algorithm>
 #include <atomic>
 #include <set>
 
 #include <gmock/gmock.h>
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "cirque/angles/registry.h"

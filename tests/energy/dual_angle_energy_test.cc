@@ -1,5 +1,6 @@
 #include "cirque/energy/dual_angle_energy.h"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,32 @@ TEST_F(DualAngleEnergyTest, HessianPredictsTheGradientWhereNoEdgeChangesSide) {
   const Eigen::VectorXd predicted = lower.selfadjointView<Eigen::Lower>() * p;
   EXPECT_LT((there - here - predicted).lpNorm<Eigen::Infinity>(), 1e-14);
   EXPECT_GT(predicted.lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
+TEST_F(DualAngleEnergyTest, SmoothHessianIsTheHessianWhereNothingIsActiveAndAboveItElsewhere) {
+  const auto difference = [](const DualAngleEnergy& energy, const Eigen::VectorXd& y,
+                             const Eigen::VectorXd& p) {
+    SparseMatrix lower, smooth;
+    EXPECT_TRUE(energy.Hessian(y.data(), &lower));
+    EXPECT_TRUE(energy.SmoothHessian(y.data(), &smooth));
+    return p.dot(smooth.selfadjointView<Eigen::Lower>() * p) -
+           p.dot(lower.selfadjointView<Eigen::Lower>() * p);
+  };
+  double largest = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double above = difference(energy_, y_, Eigen::VectorXd::Random(y_.size()));
+    EXPECT_GE(above, -1e-12);
+    largest = std::max(largest, above);
+  }
+  EXPECT_GT(largest, 1);
+  const Surface fan = Fan(6, 0.4);
+  const ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
+  const AngleConstraints constraints(fan.triangulation, targets);
+  const CornerAngles reference = AnglesOf(fan);
+  const DualAngleEnergy inactive(constraints, reference.value, kEps,
+                                 *AngleObjectives().Find("weighted_quadratic"));
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(constraints.num_rows());
+  EXPECT_NEAR(difference(inactive, zero, Eigen::VectorXd::Random(zero.size())), 0, 1e-12);
 }
 
 TEST_F(DualAngleEnergyTest, WeakDualityHoldsAtAnyMultipliers) {

@@ -60,9 +60,9 @@ class MpiRanks : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
-std::string StrategyOfRadii(const std::string& certificate) {
+std::string StrategyOf(const std::string& stage, const std::string& certificate) {
   std::ifstream file(certificate);
-  return nlohmann::json::parse(file)["strategies"]["radii"];
+  return nlohmann::json::parse(file)["strategies"][stage];
 }
 
 TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
@@ -85,7 +85,9 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   for (const std::string name : {"one", "alone", "two"}) {
     EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9);
     // Nothing was factored in secret.
-    EXPECT_EQ(StrategyOfRadii(folder_.Path(name + ".certificate.json")), "newton_amg");
+    for (const char* stage : {"angle", "radii"}) {
+      EXPECT_EQ(StrategyOf(stage, folder_.Path(name + ".certificate.json")), "newton_amg");
+    }
   }
 }
 

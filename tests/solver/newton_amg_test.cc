@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/energy/dual_angle_energy.h"
 #include "cirque/solver/amg_system_solver.h"
 
+#include "tests/common/surfaces.h"
 #include "tests/solver/grid_matrix.h"
 #include "tests/solver/strategy_fixtures.h"
 
@@ -109,7 +111,41 @@ TEST_P(AmgSystemSolverTest, AnIndefiniteMatrixIsRefused) {
   EXPECT_EQ(solver.Remark(), "");
 }
 
+TEST_P(AmgSystemSolverTest, OneHierarchyServesWhatIsNearItsMatrix) {
+  AmgSystemSolver solver({GetParam()});
+  SparseMatrix lower = GridMatrix(kSide, 1e-3);
+  solver.ExpectSystemsNear(lower, &summary_);
+  EXPECT_LE(Residual(&solver, lower, 1e-10), 1e-10);
+  for (const int row : {100, 700, 1111}) lower.coeffRef(row, row) += 50;
+  const int cycles_before = summary_.cg_iterations;
+  EXPECT_LE(Residual(&solver, lower, 1e-10), 1e-10);
+  EXPECT_GT(summary_.cg_iterations, cycles_before);
+  EXPECT_EQ(summary_.factorizations, 1);
+  EXPECT_EQ(solver.Remark(), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, AmgSystemSolverTest, ::testing::Values("boomeramg", "gamg"));
+
+TEST(NewtonAmg, FitsAnglesOnOneHierarchy) {
+  if (!BuiltWithMultigrid()) GTEST_SKIP() << "built without PETSc";
+  const Surface surface = GeneratedSurface("bumpy_terrain", 2000);
+  const Triangulation& t = surface.triangulation;
+  const CornerAngles reference = AnglesOf(surface);
+  const DualAngleEnergy energy(AngleConstraints(t, FreeBoundaryTargets(t)), reference.value, 0.05,
+                               *AngleObjectives().Find("quadratic"));
+  const auto angles = [&](const std::string& strategy, SolveSummary* summary) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(energy.NumParameters());
+    *summary = Strategy(strategy)->Minimize(energy, {}, &y);
+    EXPECT_TRUE(summary->Converged()) << summary->message;
+    return energy.Angles(y.data());
+  };
+  SolveSummary newton, newton_amg;
+  const Eigen::VectorXd wanted = angles("newton", &newton), got = angles("newton_amg", &newton_amg);
+  EXPECT_LT((wanted - got).lpNorm<Eigen::Infinity>(), 1e-10);
+  EXPECT_GT((wanted - reference.value).lpNorm<Eigen::Infinity>(), 1e-2);
+  EXPECT_EQ(newton_amg.strategy, "newton_amg");
+  EXPECT_EQ(newton_amg.factorizations, 1);
+}
 
 TEST(NewtonAmg, TheSummaryTellsOfFactorizations) {
   if (!BuiltWithMultigrid()) GTEST_SKIP() << "built without PETSc";
