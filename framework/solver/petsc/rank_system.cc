@@ -2,6 +2,10 @@
 
 #include <type_traits>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace cirque {
 namespace {
 
@@ -9,6 +13,14 @@ static_assert(std::is_same_v<PetscInt, int> && std::is_same_v<PetscScalar, doubl
 
 constexpr char kPrefix[] = "cirque_";
 constexpr char kBoomerAmg[] = "boomeramg";
+
+/// A hierarchy is made of many small blocks, whose memory the heap keeps when they are freed and
+/// large blocks cannot use.
+void ReturnFreedMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 /// Sets an option unless the user has.
 PetscErrorCode SetDefault(const char* name, const char* value) {
@@ -86,6 +98,7 @@ const std::vector<std::string>& MultigridMethods() {
 RankSystem::~RankSystem() {
   KSPDestroy(&solver_);
   MatDestroy(&matrix_);
+  ReturnFreedMemory();
 }
 
 PetscErrorCode RankSystem::SetRows(const MatrixRows& rows) {
@@ -112,7 +125,9 @@ PetscErrorCode RankSystem::SetUp(int method) {
   // The old hierarchy goes first: two of them may not fit into memory.
   PetscCall(KSPDestroy(&solver_));
   PetscCall(MakeSolver(method));
-  return KSPSetUp(solver_);
+  PetscCall(KSPSetUp(solver_));
+  ReturnFreedMemory();
+  return 0;
 }
 
 PetscErrorCode RankSystem::MakeSolver(int method) {
