@@ -6,6 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/timer.h"
+#include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/laplacian_assembler.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/solver/sparse_cholesky.h"
@@ -34,17 +35,28 @@ SparseMatrix CotangentLaplacian(const Surface& surface) {
   return lower;
 }
 
+ReferenceFactorization TimeFactorization(const SparseMatrix& lower, SparseCholesky* cholesky) {
+  const Timer timer;
+  const double cpu_before = ThreadSeconds();
+  CHECK(cholesky->Factorize(lower)) << "the Laplacian is not positive definite";
+  return {timer.Seconds(), ThreadSeconds() - cpu_before};
+}
+
 }  // namespace
 
 ReferenceFactorization TimeReferenceFactorization(const Surface& surface) {
   const SparseMatrix lower = CotangentLaplacian(surface);
   const auto factory = LinearSolvers().Find(LinearSolvers().Names().front());
   CHECK(factory.ok());
-  const auto cholesky = (*factory)();
-  const Timer timer;
-  const double cpu_before = ThreadSeconds();
-  CHECK(cholesky->Factorize(lower)) << "the cotangent Laplacian is not positive definite";
-  return {timer.Seconds(), ThreadSeconds() - cpu_before};
+  return TimeFactorization(lower, (*factory)().get());
+}
+
+ReferenceFactorization TimeDualFactorization(const Surface& surface) {
+  const Triangulation& t = surface.triangulation;
+  SparseMatrix lower;
+  DualLaplacian(t).Assemble(Eigen::VectorXd::Ones(t.num_halfedges()), &lower);
+  for (Index f = 0; f < t.num_faces(); ++f) lower.coeffRef(f, f) += kShift;
+  return TimeFactorization(lower, MakeCholesky().get());
 }
 
 }  // namespace cirque

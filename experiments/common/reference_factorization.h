@@ -16,4 +16,7 @@ struct ReferenceFactorization {
 /// @pre a surface of the preflight: no edge of length 0.
 ReferenceFactorization TimeReferenceFactorization(const Surface& surface);
 
+/// The same of the F x F dual Laplacian with weights 1, the least that a circle pattern costs.
+ReferenceFactorization TimeDualFactorization(const Surface& surface);
+
 }  // namespace cirque

@@ -158,6 +158,7 @@ StatusOr<Cut> CutGraph(const Triangulation& t, const Eigen::VectorXd& edge_cost,
   Cut cut = {std::vector<bool>(t.num_edges(), false)};
   const auto loops = static_cast<Index>(BoundaryLoops(t).size());
   const bool has_handles = EulerCharacteristic(t) + loops < 2;
+  if (loops == 1 && !has_handles && cones.empty()) return cut;
   if (has_handles) OpenHandles(t, edge_cost, cones.empty() ? 0 : cones.front(), &cut);
   const EdgeGraph graph(t, ContractLoopsAndCut(t, cut));
   const std::vector<Index> terminals = Terminals(t, graph, cones, cut);

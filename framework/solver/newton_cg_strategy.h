@@ -17,7 +17,7 @@ const OptionTable<NewtonCgOptions>& NewtonCgOptionTable();
 /// Newton's method whose linear systems are solved by conjugate gradients, preconditioned with the
 /// factor of an earlier Hessian: one factorisation where Newton takes one a step
 /// (IterateInexactNewton, ReusedFactor). Factors anew when conjugate gradients need more than
-/// max_cg_iterations.
+/// max_cg_iterations, or would on the whole way to the gradient tolerance.
 class NewtonCgStrategy final : public SolverStrategy {
  public:
   explicit NewtonCgStrategy(const NewtonCgOptions& options) : options_(options) {}
