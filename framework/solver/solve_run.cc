@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kProgress =
     0.9;                        ///< a gradient below this share of the least one so far is progress
-constexpr double kDeep = 1e-7;  ///< only gradients below this share of the first may be rounding
+constexpr double kDeep = 1e-7;  ///< only gradients below this share of the first may be rounding,
+constexpr double kNear = 10;    ///< or this near to the tolerance: a start may be nearly the end
 constexpr int kRelaxations = 3;
 constexpr double kRelaxedShare = 0.1;  ///< of the largest entry, in each of them
 constexpr int kPatience = 2;           ///< steps without progress
@@ -114,7 +115,10 @@ bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {
     return false;
   }
   if (++steps_since_least_ < kPatience) return false;
-  if (least_gradient_ > kDeep * summary_.initial_gradient_max) return false;
+  if (least_gradient_ > kDeep * summary_.initial_gradient_max &&
+      least_gradient_ > kNear * limits_.gradient_tolerance) {
+    return false;
+  }
   End(Termination::kStalled,
       fmt::format("gradient {:.2e} no longer falls: its terms are rounded there", gradient_max));
   return true;
