@@ -14,6 +14,10 @@ namespace {
 /// Where multigrid takes as long as a factor and a third less memory (results/multigrid.md).
 constexpr int kMultigridUnknowns = 10000000;
 
+/// A factorization then takes milliseconds; exact steps end sooner where there is no minimum, and
+/// in better proofs of that.
+constexpr int kSmall = 20000;
+
 /// The limits as the first part of another strategy's options.
 template <class Options>
 Options WithLimits(const SolverLimits& limits) {
@@ -40,6 +44,9 @@ SolveSummary AutoStrategy::Minimize(const Energy& energy, const SolveControl& co
   if (UsesMultigrid(energy.NumParameters())) {
     const NewtonAmgStrategy newton_amg(WithLimits<NewtonAmgOptions>(limits_));
     summary = newton_amg.Minimize(energy, control, x);
+  } else if (!control.system_solver && energy.NumParameters() < kSmall) {
+    summary = NewtonStrategy(WithLimits<NewtonOptions>(limits_)).Minimize(energy, control, x);
+    reason = fmt::format("there are fewer than {} unknowns", kSmall);
   } else {
     const NewtonCgStrategy newton_cg(WithLimits<NewtonCgOptions>(limits_));
     summary = newton_cg.Minimize(energy, control, x);
