@@ -13,9 +13,9 @@ namespace cirque {
 /// when those take longer than factoring anew would.
 class ReusedFactor final : public SystemSolver {
  public:
-  /// `max_cg_iterations`: of a system before its matrix is factored. With one BLAS thread a solve on
-  /// the graph of a mesh costs a tenth of analysis and factorization, whatever the size. A goal far
-  /// away makes factoring pay earlier: when the iterations on all the way there would be more.
+  /// `max_cg_iterations`: of a system before its matrix is factored. With one BLAS thread a solve
+  /// on the graph of a mesh costs a tenth of analysis and factorization, whatever the size. A goal
+  /// far away makes factoring pay earlier: when the iterations on all the way there would be more.
   ReusedFactor(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
