@@ -1,10 +1,7 @@
 // The yardstick beside which the times of other programs and machines can be read.
-#include <unistd.h>
-
-#include <filesystem>
 #include <iostream>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -12,6 +9,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/mesh/subdivision.h"
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
@@ -19,6 +17,8 @@
 
 DECLARE_bool(help);
 DEFINE_int32(repeats, 3, "factorizations a mesh; the fastest counts");
+DEFINE_int32(subdivisions, 0, "how often triangles are split in four at their edges' midpoints");
+DEFINE_string(output, "", "file that the mesh is written to");
 
 namespace cirque {
 namespace {
@@ -26,9 +26,9 @@ namespace {
 constexpr char kSource[] = "experiments/reference_factorization/";
 constexpr char kUsage[] =
     "reference_factorization [FLAGS] MESH ...\n"
-    "Times one analysis and factorization of each mesh's V x V cotangent Laplacian, and the floor "
-    "of\n"
-    "any circle pattern: reading, one factorization of the F x F dual Laplacian, writing.\n\n";
+    "Times one analysis and factorization of each mesh's V x V cotangent Laplacian and, where the\n"
+    "mesh is to be written, the floor of any circle pattern: reading (and splitting), one\n"
+    "factorization of the F x F dual Laplacian, writing.\n\n";
 
 using Time = ReferenceFactorization (*)(const Surface&);
 
@@ -41,41 +41,48 @@ ReferenceFactorization Fastest(Time time, const Surface& surface) {
   return best;
 }
 
-Status TimeMesh(const std::string& path, const std::string& scratch) {
+/// The triangles of a file, split as asked.
+StatusOr<PolygonSoup> ReadTriangles(const std::string& path) {
+  StatusOr<PolygonSoup> soup = ReadMesh(path);
+  if (!soup.ok() || FLAGS_subdivisions == 0) return soup;
+  PreflightReport report;
+  const StatusOr<Surface> surface = Preflight(*soup, &report);
+  if (!surface.ok()) return surface.status().In(path);
+  return MidpointSubdivision(TrianglesOf(*surface), FLAGS_subdivisions);
+}
+
+Status TimeMesh(const std::string& path) {
   const Timer reading;
-  const StatusOr<PolygonSoup> soup = ReadMesh(path);
+  const StatusOr<PolygonSoup> soup = ReadTriangles(path);
   if (!soup.ok()) return soup.status();
   const double read_seconds = reading.Seconds();
   PreflightReport report;
   const StatusOr<Surface> surface = Preflight(*soup, &report);
   if (!surface.ok()) return surface.status().In(path);
   const ReferenceFactorization best = Fastest(TimeReferenceFactorization, *surface);
-  const ReferenceFactorization dual = Fastest(TimeDualFactorization, *surface);
-  const Timer writing;
-  if (Status status = WriteMesh(scratch, *soup); !status.ok()) return status;
-  const double floor = read_seconds + dual.seconds + writing.Seconds();
-  std::cout << fmt::format(
-      "{:<40} {:>9} triangles {:>9.4f} s wall {:>9.4f} s CPU, floor {:>9.4f} s wall\n", path,
-      surface->triangulation.num_faces(), best.seconds, best.cpu_seconds, floor);
+  std::string line =
+      fmt::format("{:<40} {:>9} triangles {:>9.4f} s wall {:>9.4f} s CPU", path,
+                  surface->triangulation.num_faces(), best.seconds, best.cpu_seconds);
+  if (!FLAGS_output.empty()) {
+    const ReferenceFactorization dual = Fastest(TimeDualFactorization, *surface);
+    const Timer writing;
+    if (Status status = WriteMesh(FLAGS_output, *soup); !status.ok()) return status;
+    line += fmt::format(", floor {:>9.4f} s wall", read_seconds + dual.seconds + writing.Seconds());
+  }
+  std::cout << line << "\n";
   return Status();
 }
 
-/// A file of this process, to be written for the time that takes.
-class ScratchFile {
- public:
-  ScratchFile()
-      : path_((std::filesystem::temp_directory_path() /
-               fmt::format("reference_factorization.{}.obj", getpid()))
-                  .string()) {}
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+Status CheckArguments(const std::vector<std::string>& meshes) {
+  if (meshes.empty()) return Status::InvalidInput("no mesh given; see --help");
+  if (FLAGS_repeats < 1) return Status::InvalidInput("--repeats needs a number from 1 on");
+  if (FLAGS_subdivisions < 0)
+    return Status::InvalidInput("--subdivisions needs a number from 0 on");
+  if (!FLAGS_output.empty() && meshes.size() > 1) {
+    return Status::InvalidInput("--output takes one mesh");
   }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+  return Status();
+}
 
 int Main(int argc, char** argv) {
   UseOneBlasThread();
@@ -85,11 +92,8 @@ int Main(int argc, char** argv) {
     std::cout << kUsage << FlagHelp(kSource);
     return 0;
   }
-  if (status.ok() && meshes->empty()) status = Status::InvalidInput("no mesh given; see --help");
-  const ScratchFile scratch;
-  for (std::size_t i = 0; status.ok() && i < meshes->size(); ++i) {
-    status = TimeMesh((*meshes)[i], scratch.path());
-  }
+  if (status.ok()) status = CheckArguments(*meshes);
+  for (std::size_t i = 0; status.ok() && i < meshes->size(); ++i) status = TimeMesh((*meshes)[i]);
   if (!status.ok()) std::cerr << "reference_factorization: " << status.message() << "\n";
   return ExitStatus(status.code());
 }

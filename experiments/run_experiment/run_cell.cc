@@ -22,17 +22,6 @@ StatusOr<PolygonSoup> ReadSoup(const MeshSpec& mesh, const std::string& path) {
   return (*generator)(mesh.generator_options);
 }
 
-/// The surface's own triangles: those of a mesh that the preflight lets pass.
-PolygonSoup TrianglesOf(const Surface& surface) {
-  PolygonSoup soup;
-  soup.position = surface.position;
-  soup.corner = surface.triangulation.vertex;
-  for (Index f = 1; f <= surface.triangulation.num_faces(); ++f) {
-    soup.first_corner.push_back(3 * f);
-  }
-  return soup;
-}
-
 /// What was read, and the surface it is.
 struct Input {
   PolygonSoup soup;

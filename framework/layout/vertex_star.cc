@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cirque/mesh/puncture.h"
-
 namespace cirque {
 namespace {
 
@@ -23,7 +21,7 @@ VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angle
                        const EdgeLengths& surface_lengths, const FlatOnInput& flat, Index corner)
     : t_(t) {
   double direction = 0;
-  for (const Index c : CornersAround(t, corner)) {
+  t.ForEachCornerAround(corner, [&](Index c) {
     const Index next = Triangulation::Next(c), prev = Triangulation::Prev(c);
     const Complex from = std::polar(flat.lengths.value[t.edge[prev]], direction);
     direction += flat.angles.value[c];
@@ -33,7 +31,7 @@ VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angle
     const Complex far = std::polar(b, surface_angles.value[c]), i(0, 1);
     faces_.push_back({c, from, to, a * far.imag() / 2, i * (far - a), -i * far, i * a});
     simple_ = simple_ && t.vertex[next] != t.vertex[corner] && t.vertex[prev] != t.vertex[corner];
-  }
+  });
 }
 
 Complex VertexStar::Beltrami(const Face& face, Complex place, Complex* f_z) const {

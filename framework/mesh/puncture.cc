@@ -16,15 +16,9 @@ Index FirstCorner(const Triangulation& t, Index v) {
 
 }  // namespace
 
-std::vector<Index> CornersAround(const Triangulation& t, Index corner) {
-  std::vector<Index> corners;
-  t.ForEachCornerAround(corner, [&](Index c) { corners.push_back(c); });
-  return corners;
-}
-
 bool HasDiskStar(const Triangulation& t, Index corner) {
   std::vector<Index> closed = {t.vertex[corner]};
-  for (const Index c : CornersAround(t, corner)) closed.push_back(t.Tail(c));
+  t.ForEachCornerAround(corner, [&](Index c) { closed.push_back(t.Tail(c)); });
   std::sort(closed.begin(), closed.end());
   return closed.size() > 3 && std::adjacent_find(closed.begin(), closed.end()) == closed.end();
 }
@@ -38,10 +32,10 @@ StatusOr<PuncturedSurface> Puncture(const Triangulation& t, Index pole) {
   PuncturedSurface punctured;
   punctured.pole = pole;
   std::vector<bool> keep(t.num_faces(), true);
-  for (const Index c : CornersAround(t, corner)) {
+  t.ForEachCornerAround(corner, [&](Index c) {
     keep[Triangulation::Face(c)] = false;
     punctured.link.push_back(t.Tail(c));
-  }
+  });
   if (std::find(keep.begin(), keep.end(), true) == keep.end()) {
     return Status::InvalidInput("all triangles meet in one vertex; there is nothing to map");
   }

@@ -14,9 +14,6 @@ struct PuncturedSurface : SubTriangulation {
   Index pole = kNone;       ///< the vertex removed
 };
 
-/// The corners at a vertex off the boundary in counter-clockwise order, `corner` first.
-std::vector<Index> CornersAround(const Triangulation& triangulation, Index corner);
-
 /// Whether the closed star of the vertex of `corner` is a disk: its neighbours differ from each
 /// other and from the vertex itself. (In a Delta-complex they need not.)
 bool HasDiskStar(const Triangulation& triangulation, Index corner);

@@ -60,4 +60,14 @@ PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const Cor
   return soup;
 }
 
+PolygonSoup TrianglesOf(const Surface& surface) {
+  PolygonSoup soup;
+  soup.position = surface.position;
+  soup.corner = surface.triangulation.vertex;
+  for (Index f = 1; f <= surface.triangulation.num_faces(); ++f) {
+    soup.first_corner.push_back(3 * f);
+  }
+  return soup;
+}
+
 }  // namespace cirque

@@ -24,6 +24,9 @@ struct Surface {
 /// The Euclidean length of every edge, without underflow or overflow.
 EdgeLengths MeasureEdgeLengths(const Surface& surface);
 
+/// The surface's own triangles, on its own vertices.
+PolygonSoup TrianglesOf(const Surface& surface);
+
 /// The soup of the surface's own triangles on all of the input's points (isolated ones too, in the
 /// input's order), with the given UVs as texture coordinates: equal UVs of the corners at one
 /// vertex are written once. UVs must be finite. What circle_patterns writes as OBJ.

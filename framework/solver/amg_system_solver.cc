@@ -11,6 +11,7 @@
 #include "cirque/solver/conjugate_gradients.h"
 #include "cirque/solver/eliminating_cholesky.h"
 #include "cirque/solver/local_smoother.h"
+#include "cirque/solver/lower_triangle.h"
 
 namespace cirque {
 namespace {
@@ -151,17 +152,21 @@ bool AmgSystemSolver::SolveByMultigrid(const SparseMatrix& lower, const Eigen::V
                                        SolveSummary* summary) {
   if (near_diagonal_.size() > 0) return SolveNear(lower, right_side, tolerance, x, summary);
   // What was eliminated is solved exactly, so the residual is that of the rest.
-  reduced_->Prepare(tolerance * right_side.norm(), summary);
-  const int analyses = elimination_->symbolic_analyses();
-  const bool reduced = elimination_->Factorize(lower);
-  summary->symbolic_analyses += elimination_->symbolic_analyses() - analyses;
+  const bool reduced = Eliminate(lower, tolerance * right_side.norm(), summary);
   if (reduced) *x = elimination_->Solve(right_side);
   return (reduced && reduced_->converged() && x->allFinite()) || Fail();
 }
 
 void AmgSystemSolver::ExpectSystemsNear(const SparseMatrix& lower, SolveSummary* summary) {
-  reduced_->Prepare(0, summary);
-  if (elimination_->Factorize(lower)) near_diagonal_ = Diagonal(lower);
+  if (Eliminate(lower, 0, summary)) near_diagonal_ = Diagonal(lower);
+}
+
+bool AmgSystemSolver::Eliminate(const SparseMatrix& lower, double target, SolveSummary* summary) {
+  reduced_->Prepare(target, summary);
+  const int analyses = elimination_->symbolic_analyses();
+  const bool done = elimination_->Factorize(lower);
+  summary->symbolic_analyses += elimination_->symbolic_analyses() - analyses;
+  return done;
 }
 
 bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side,

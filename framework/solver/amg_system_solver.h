@@ -41,6 +41,9 @@ class AmgSystemSolver final : public SystemSolver {
   bool SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side, double tolerance,
                  Eigen::VectorXd* x, SolveSummary* summary);
 
+  /// Takes the matrix, counted, for solves of what elimination leaves down to that residual.
+  bool Eliminate(const SparseMatrix& lower, double target, SolveSummary* summary);
+
   /// Keeps why multigrid failed.
   bool Fail();
 

@@ -11,7 +11,7 @@
 namespace cirque {
 namespace {
 
-/// Where multigrid takes as long as a factor and a third less memory (results/multigrid.md).
+/// Where multigrid takes as long as a factor, in less memory (results/multigrid.md).
 constexpr int kMultigridUnknowns = 10000000;
 
 /// A factorization then takes milliseconds; exact steps end sooner where there is no minimum, and

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cirque/core/parallel.h"
+#include "cirque/solver/lower_triangle.h"
 
 namespace cirque {
 namespace {
@@ -32,15 +33,6 @@ class Neighbours {
   int end(int i) const { return first_[i + 1]; }
   int Other(int k) const { return other_[k]; }        ///< the neighbour
   int Position(int k) const { return position_[k]; }  ///< of the entry among the matrix' values
-
-  template <class Visit>
-  static void ForEachOffDiagonal(const SparseMatrix& lower, const Visit& visit) {
-    for (int j = 0; j < lower.cols(); ++j) {
-      for (int p = lower.outerIndexPtr()[j]; p < lower.outerIndexPtr()[j + 1]; ++p) {
-        if (lower.innerIndexPtr()[p] != j) visit(lower.innerIndexPtr()[p], j, p);
-      }
-    }
-  }
 
  private:
   std::vector<int> first_, position_, other_;

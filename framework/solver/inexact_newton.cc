@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "cirque/solver/newton_loop.h"
 
@@ -39,7 +38,7 @@ class InexactDirection {
   double Forcing(double norm, double goal) {
     const double ratio = norm / last_norm_;
     last_norm_ = norm;
-    return std::clamp(std::max(ratio * ratio, kShareOfGoal * goal), kLeastForcing, forcing_);
+    return std::min(forcing_, std::max({ratio * ratio, kShareOfGoal * goal, kLeastForcing}));
   }
 
   const double forcing_;

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cirque {
+#include "cirque/solver/lower_triangle.h"
 
-Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
-  Eigen::VectorXd diagonal(lower.cols());
-  for (int j = 0; j < lower.cols(); ++j) {
-    diagonal[j] = lower.valuePtr()[lower.outerIndexPtr()[j]];
-  }
-  return diagonal;
-}
+namespace cirque {
 
 namespace {
 
@@ -30,19 +24,9 @@ std::vector<bool> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& 
   return changed;
 }
 
-/// Calls visit(i, j, value) for the entries below the diagonal.
-template <class Visit>
-void ForEachOffDiagonal(const SparseMatrix& lower, const Visit& visit) {
-  for (int j = 0; j < lower.cols(); ++j) {
-    for (int p = lower.outerIndexPtr()[j] + 1; p < lower.outerIndexPtr()[j + 1]; ++p) {
-      visit(lower.innerIndexPtr()[p], j, lower.valuePtr()[p]);
-    }
-  }
-}
-
 std::vector<bool> WithNeighbours(const SparseMatrix& lower, const std::vector<bool>& chosen) {
   std::vector<bool> grown = chosen;
-  ForEachOffDiagonal(lower, [&](int i, int j, double) {
+  ForEachOffDiagonal(lower, [&](int i, int j, int) {
     if (chosen[i]) grown[j] = true;
     if (chosen[j]) grown[i] = true;
   });
@@ -71,14 +55,15 @@ void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<boo
     diagonal_.push_back(lower.valuePtr()[lower.outerIndexPtr()[j]]);
   }
   first_.assign(rows_.size() + 1, 0);
-  ForEachOffDiagonal(lower, [&](int i, int j, double) {
+  ForEachOffDiagonal(lower, [&](int i, int j, int) {
     if (chosen[i]) ++first_[place[i] + 1];
     if (chosen[j]) ++first_[place[j] + 1];
   });
   for (int k = 0; k < num_rows(); ++k) first_[k + 1] += first_[k];
   entries_.resize(first_.back());
   std::vector<int> next(first_.begin(), first_.end() - 1);
-  ForEachOffDiagonal(lower, [&](int i, int j, double value) {
+  ForEachOffDiagonal(lower, [&](int i, int j, int p) {
+    const double value = lower.valuePtr()[p];
     if (chosen[i]) entries_[next[place[i]]++] = {j, value};
     if (chosen[j]) entries_[next[place[j]]++] = {i, value};
   });

@@ -9,9 +9,6 @@
 
 namespace cirque {
 
-/// The diagonal of a symmetric matrix given by its lower triangle.
-Eigen::VectorXd Diagonal(const SparseMatrix& lower);
-
 /// Makes the factor of one matrix a good preconditioner for another that differs from it strongly
 /// in a few rows, as the normal matrices of an angle fit do where edges have become active: sweeps
 /// of Gauss-Seidel over those rows and what is near them, forwards before the factor is applied and

@@ -6,6 +6,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/solver/conjugate_gradients.h"
 #include "cirque/solver/local_smoother.h"
+#include "cirque/solver/lower_triangle.h"
 
 namespace cirque {
 namespace {
