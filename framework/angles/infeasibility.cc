@@ -29,25 +29,37 @@ struct Margin {
   double value = 0, magnitude = 0;  ///< the margin and the sum of its terms' absolute values
 };
 
+/// Adds term(i), i in [0, n).
+template <class Term>
+Margin SumTerms(int n, const Term& term) {
+  std::vector<CompensatedSum> value(NumBlocks(n));
+  std::vector<double> magnitude(NumBlocks(n), 0);
+  ForEachBlock(n, [&](int block, int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const double x = term(i);
+      value[block] += x;
+      magnitude[block] += std::abs(x);
+    }
+  });
+  CompensatedSum sum;
+  for (const CompensatedSum& of_block : value) sum += of_block;
+  return {sum.Value(), std::accumulate(magnitude.begin(), magnitude.end(), 0.0)};
+}
+
 Margin ComputeMargin(const AngleConstraints& constraints, double epsilon,
                      const Eigen::VectorXd& y) {
   const Triangulation& t = constraints.triangulation();
   const double eps = epsilon / kPi;
-  Eigen::VectorXd of_row(constraints.num_rows()), of_edge(t.num_edges());
-  ParallelFor(constraints.num_rows(), [&](int row) {
-    of_row[row] = y[row] * (y[row] > 0 ? constraints.Lower(row) : constraints.Upper(row)) / kPi;
+  const Margin of_rows = SumTerms(constraints.num_rows(), [&](int row) {
+    return y[row] * (y[row] > 0 ? constraints.Lower(row) : constraints.Upper(row)) / kPi;
   });
-  ParallelFor(t.num_edges(), [&](Index e) {
+  const Margin of_edges = SumTerms(t.num_edges(), [&](Index e) {
     const Index h = t.edge_halfedge[e];
     const double p = constraints.Slope(y.data(), h);
-    of_edge[e] = t.twin[h] == kNone
-                     ? -SupportOfInterval(p, eps)
-                     : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps);
+    return t.twin[h] == kNone ? -SupportOfInterval(p, eps)
+                              : -SupportOfTriangle(p, constraints.Slope(y.data(), t.twin[h]), eps);
   });
-  CompensatedSum sum;
-  for (const double term : of_row) sum += term;
-  for (const double term : of_edge) sum += term;
-  return {sum.Value(), of_row.lpNorm<1>() + of_edge.lpNorm<1>()};
+  return {of_rows.value + of_edges.value, of_rows.magnitude + of_edges.magnitude};
 }
 
 /// The ids of the entries with the largest absolute values, those within a thousandth of the

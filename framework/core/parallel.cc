@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -33,7 +34,11 @@ void ForEachBlock(int n, const std::function<void(int block, int begin, int end)
   };
   const int blocks = NumBlocks(n);
   if (blocks == 1) return run(0);
-  tbb::parallel_for(0, blocks, run);
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, blocks, run); });
+}
+
+void ParallelTasks(int n, const std::function<void(int)>& body) {
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, n, body); });
 }
 
 void ParallelSort(std::vector<std::pair<double, int>>* keys) {

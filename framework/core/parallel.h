@@ -44,6 +44,9 @@ void ParallelFor(int n, const Body& body) {
   });
 }
 
+/// Calls body(i) for every i in [0, n), each a long piece of work, under the same conditions.
+void ParallelTasks(int n, const std::function<void(int)>& body);
+
 /// Sorts by value, then by index; no value may be NaN.
 void ParallelSort(std::vector<std::pair<double, int>>* keys);
 

@@ -14,6 +14,7 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     : num_faces_(t.num_faces()),
       laplacian_(t),
       boundary_star_(Eigen::VectorXd::Constant(num_faces_, 2 * kPi)) {
+  edges_.reserve(t.num_edges());
   for (const Index h : t.edge_halfedge) {
     const Index g = t.twin[h];
     const double alpha = angles.value[h];

@@ -25,6 +25,7 @@ class Volume {
  public:
   Volume(const Triangulation& t, const CoherentAngles& angles, const DualLaplacian& laplacian)
       : num_faces_(t.num_faces()), laplacian_(laplacian) {
+    edges_.reserve(t.num_edges());
     for (const Index h : t.edge_halfedge) {
       const Index g = t.twin[h];
       if (g == kNone) continue;

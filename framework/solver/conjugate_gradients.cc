@@ -1,6 +1,9 @@
 #include "cirque/solver/conjugate_gradients.h"
 
 #include <cmath>
+#include <vector>
+
+#include "cirque/core/parallel.h"
 
 namespace cirque {
 namespace {
@@ -16,6 +19,25 @@ bool MayFinish(double start, double now, double target, int iterations, int max_
   return done * max_iterations >= wanted * iterations;
 }
 
+double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const int n = static_cast<int>(a.size());
+  Eigen::VectorXd of_block(NumBlocks(n));
+  ForEachBlock(n, [&](int block, int begin, int end) {
+    of_block[block] = a.segment(begin, end - begin).dot(b.segment(begin, end - begin));
+  });
+  return of_block.sum();
+}
+
+double Norm(const Eigen::VectorXd& a) { return std::sqrt(Dot(a, a)); }
+
+/// y = x_factor x + y_factor y
+void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::VectorXd* y) {
+  ForEachBlock(static_cast<int>(x.size()), [&](int, int begin, int end) {
+    auto part = y->segment(begin, end - begin);
+    part = x_factor * x.segment(begin, end - begin) + y_factor * part;
+  });
+}
+
 }  // namespace
 
 CgResult ConjugateGradients(
@@ -25,30 +47,26 @@ CgResult ConjugateGradients(
   CgResult result;
   x->setZero(right_side.size());
   Eigen::VectorXd residual = right_side;
-  Eigen::VectorXd direction, last_residual;
-  double last_rho = 0;
-  const double target = tolerance * right_side.norm();
-  const double start = residual.norm();
-  while (!(result.converged = residual.norm() <= target) &&
-         MayFinish(start, residual.norm(), target, result.iterations, max_iterations)) {
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(right_side.size()), image = direction;
+  const double start = Norm(residual), target = tolerance * start;
+  double now = start, last_rho = 1, last_step = 0;
+  while (!(result.converged = now <= target) &&
+         MayFinish(start, now, target, result.iterations, max_iterations)) {
     const Eigen::VectorXd z = precondition(residual);
-    const double rho = residual.dot(z);
-    if (result.iterations == 0) {
-      direction = z;
-    } else {
-      direction = z + ((rho - last_residual.dot(z)) / last_rho) * direction;
-    }
-    last_rho = rho;
-    last_residual = residual;
-    const Eigen::VectorXd image = lower.selfadjointView<Eigen::Lower>() * direction;
-    const double curvature = direction.dot(image);
+    const double rho = Dot(residual, z);
+    // Residuals differ by the step's share of the image.
+    Combine(1, z, -last_step * Dot(image, z) / last_rho, &direction);
+    image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
+    const double curvature = Dot(direction, image);
     if (!(curvature > 0)) {
       result.positive = false;
       return result;
     }
-    const double step = rho / curvature;
-    *x += step * direction;
-    residual -= step * image;
+    last_rho = rho;
+    last_step = rho / curvature;
+    Combine(last_step, direction, 1, x);
+    Combine(-last_step, image, 1, &residual);
+    now = Norm(residual);
     ++result.iterations;
   }
   return result;

@@ -12,7 +12,8 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxNeighbours = 3;
-constexpr double kMostNew = 0.2;  ///< share of new unknowns up to which an order is used again
+constexpr double kLeastKept = 0.38;  ///< share of the unknowns of an angle fit or of the radii
+constexpr double kMostNew = 0.2;     ///< share of new unknowns up to which an order is used again
 
 /// Positions of the entries off the diagonal that stand in each row and each column.
 class Neighbours {
@@ -38,19 +39,17 @@ class Neighbours {
   std::vector<int> first_, position_, other_;
 };
 
-/// An eliminated unknown: its diagonal entry and its couplings to kept unknowns, as positions in
-/// the matrix, then as numbers.
+/// An eliminated unknown, its diagonal entry and its couplings to kept unknowns, as positions in
+/// the matrix.
 struct Eliminated {
   int unknown, diagonal, count = 0;
   std::array<int, kMaxNeighbours> kept = {}, position = {};
+};
+
+/// What they are in the matrix that is factored.
+struct EliminatedNumbers {
   double inverse = 0;
   std::array<double, kMaxNeighbours> coupling = {};
-
-  double CouplingTo(int j) const {
-    int n = 0;
-    while (kept[n] != j) ++n;
-    return coupling[n];
-  }
 };
 
 class EliminatingCholesky final : public SparseCholesky {
@@ -61,9 +60,10 @@ class EliminatingCholesky final : public SparseCholesky {
     Eigen::VectorXd reduced(NumKept());
     ParallelFor(NumKept(), [&](int j) {
       double sum = right_side[kept_[j]];
-      ForEachEliminatedAt(j, [&](const Eliminated& e) {
-        sum -= e.CouplingTo(j) * e.inverse * right_side[e.unknown];
-      });
+      for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
+        if (coupling_[k].other < 0)
+          sum -= scaled_[k] * right_side[eliminated_[~coupling_[k].other].unknown];
+      }
       reduced[j] = sum;
     });
     const Eigen::VectorXd of_kept = kept_.empty() ? reduced : inner_->Solve(reduced);
@@ -72,11 +72,15 @@ class EliminatingCholesky final : public SparseCholesky {
     ParallelFor(static_cast<int>(eliminated_.size()), [&](int k) {
       const Eliminated& e = eliminated_[k];
       double rest = right_side[e.unknown];
-      for (int n = 0; n < e.count; ++n) rest -= e.coupling[n] * of_kept[e.kept[n]];
-      x[e.unknown] = rest * e.inverse;
+      for (int n = 0; n < e.count; ++n) rest -= numbers_[k].coupling[n] * of_kept[e.kept[n]];
+      x[e.unknown] = rest * numbers_[k].inverse;
     });
     return x;
   }
+
+  void Expect(int unknowns) override { inner_->Expect(static_cast<int>(kLeastKept * unknowns)); }
+
+  void KeepRoughly() override { inner_->KeepRoughly(); }
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {
@@ -93,11 +97,14 @@ class EliminatingCholesky final : public SparseCholesky {
 
   bool FactorizeNumerically(const SparseMatrix& lower) override {
     const double* value = lower.valuePtr();
-    for (Eliminated& e : eliminated_) {
+    numbers_.resize(eliminated_.size());
+    for (std::size_t k = 0; k < eliminated_.size(); ++k) {
+      const Eliminated& e = eliminated_[k];
       if (!(value[e.diagonal] > 0)) return false;
-      e.inverse = 1 / value[e.diagonal];
-      for (int n = 0; n < e.count; ++n) e.coupling[n] = value[e.position[n]];
+      numbers_[k].inverse = 1 / value[e.diagonal];
+      for (int n = 0; n < e.count; ++n) numbers_[k].coupling[n] = value[e.position[n]];
     }
+    scaled_.resize(coupling_.size());
     ParallelFor(NumKept(), [&](int j) { FillColumn(lower, j); });
     return kept_.empty() || inner_->Factorize(complement_);
   }
@@ -110,13 +117,6 @@ class EliminatingCholesky final : public SparseCholesky {
   };
 
   int NumKept() const { return static_cast<int>(kept_.size()); }
-
-  template <class Visit>
-  void ForEachEliminatedAt(int j, const Visit& visit) const {
-    for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
-      if (coupling_[k].other < 0) visit(eliminated_[~coupling_[k].other]);
-    }
-  }
 
   /// The unknowns that the inner solver eliminated, in its order.
   std::vector<int> OrderOfKept() const {
@@ -190,13 +190,16 @@ class EliminatingCholesky final : public SparseCholesky {
   void FindRows(int j, std::vector<int>* rows) const {
     rows->assign(1, j);
     for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
-      if (coupling_[k].other >= 0) rows->push_back(coupling_[k].other);
-    }
-    ForEachEliminatedAt(j, [&](const Eliminated& e) {
+      const int other = coupling_[k].other;
+      if (other >= 0) {
+        rows->push_back(other);
+        continue;
+      }
+      const Eliminated& e = eliminated_[~other];
       for (int n = 0; n < e.count; ++n) {
         if (e.kept[n] > j) rows->push_back(e.kept[n]);
       }
-    });
+    }
     std::sort(rows->begin(), rows->end());
     rows->erase(std::unique(rows->begin(), rows->end()), rows->end());
   }
@@ -237,22 +240,28 @@ class EliminatingCholesky final : public SparseCholesky {
     std::fill_n(column, count, 0.0);
     add(j, value[lower.outerIndexPtr()[kept_[j]]]);
     for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
-      if (coupling_[k].other >= 0) add(coupling_[k].other, value[coupling_[k].position]);
-    }
-    ForEachEliminatedAt(j, [&](const Eliminated& e) {
-      const double scaled = e.CouplingTo(j) * e.inverse;
-      for (int n = 0; n < e.count; ++n) {
-        if (e.kept[n] >= j) add(e.kept[n], -scaled * e.coupling[n]);
+      const auto [other, position] = coupling_[k];
+      if (other >= 0) {
+        add(other, value[position]);
+        continue;
       }
-    });
+      const Eliminated& e = eliminated_[~other];
+      const EliminatedNumbers& numbers = numbers_[~other];
+      scaled_[k] = value[position] * numbers.inverse;
+      for (int n = 0; n < e.count; ++n) {
+        if (e.kept[n] >= j) add(e.kept[n], -scaled_[k] * numbers.coupling[n]);
+      }
+    }
   }
 
   std::unique_ptr<SparseCholesky> inner_;
   std::vector<int> number_;  ///< per unknown: among the kept, or ~(place among the eliminated)
   std::vector<int> kept_;    ///< the unknowns that stay, in increasing order
   std::vector<Eliminated> eliminated_;
-  std::vector<int> first_coupling_;  ///< per kept unknown: where its couplings begin
+  std::vector<EliminatedNumbers> numbers_;  ///< of each of them
+  std::vector<int> first_coupling_;         ///< per kept unknown: where its couplings begin
   std::vector<Coupling> coupling_;
+  std::vector<double> scaled_;  ///< to eliminated ones: the entry over the eliminated's diagonal
   SparseMatrix complement_;
 };
 

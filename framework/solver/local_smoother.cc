@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/core/parallel.h"
 
 namespace cirque {
 
@@ -15,29 +15,63 @@ constexpr int kRings = 3;              ///< of neighbours of changed rows
 constexpr int kSweeps = 8;
 
 /// The rows whose diagonal entry changed.
-std::vector<bool> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& before) {
-  const Eigen::VectorXd now = Diagonal(lower);
-  std::vector<bool> changed(lower.cols());
-  for (int j = 0; j < lower.cols(); ++j) {
-    changed[j] = std::abs(now[j] - before[j]) > kChanged * before[j];
-  }
+std::vector<char> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& before) {
+  std::vector<char> changed(lower.cols());
+  ParallelFor(static_cast<int>(lower.cols()), [&](int j) {
+    const double now = lower.valuePtr()[lower.outerIndexPtr()[j]];
+    changed[j] = std::abs(now - before[j]) > kChanged * before[j];
+  });
   return changed;
 }
 
-std::vector<bool> WithNeighbours(const SparseMatrix& lower, const std::vector<bool>& chosen) {
-  std::vector<bool> grown = chosen;
-  ForEachOffDiagonal(lower, [&](int i, int j, int) {
-    if (chosen[i]) grown[j] = true;
-    if (chosen[j]) grown[i] = true;
+std::vector<char> WithNeighbours(const SparseMatrix& lower, const std::vector<char>& chosen) {
+  std::vector<char> grown = chosen;
+  const int* start = lower.outerIndexPtr();
+  const int* row = lower.innerIndexPtr();
+  const int n = static_cast<int>(lower.cols());
+  ParallelFor(n, [&](int j) {
+    for (int p = start[j] + 1; p < start[j + 1] && !grown[j]; ++p) grown[j] = chosen[row[p]];
   });
+  for (int j = 0; j < n; ++j) {
+    if (!chosen[j]) continue;
+    for (int p = start[j] + 1; p < start[j + 1]; ++p) grown[row[p]] = true;
+  }
   return grown;
+}
+
+struct Coupling {
+  int i, j;
+  double value;
+};
+
+/// Those of chosen rows, block by block of columns.
+std::vector<std::vector<Coupling>> CouplingsOf(const SparseMatrix& lower,
+                                               const std::vector<char>& chosen) {
+  const int n = static_cast<int>(lower.cols());
+  std::vector<std::vector<Coupling>> couplings(NumBlocks(n));
+  ForEachBlock(n, [&](int block, int begin, int end) {
+    for (int j = begin; j < end; ++j) {
+      for (int p = lower.outerIndexPtr()[j] + 1; p < lower.outerIndexPtr()[j + 1]; ++p) {
+        const int i = lower.innerIndexPtr()[p];
+        if (chosen[i] || chosen[j]) couplings[block].push_back({i, j, lower.valuePtr()[p]});
+      }
+    }
+  });
+  return couplings;
+}
+
+template <class Visit>
+void ForEach(const std::vector<std::vector<Coupling>>& couplings, const Visit& visit) {
+  for (const std::vector<Coupling>& of_block : couplings) {
+    for (const Coupling& c : of_block) visit(c);
+  }
 }
 
 }  // namespace
 
 LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before) {
   if (diagonal_before.size() != lower.cols()) return;
-  std::vector<bool> chosen = ChangedRows(lower, diagonal_before);
+  std::vector<char> chosen = ChangedRows(lower, diagonal_before);
   const auto count = std::count(chosen.begin(), chosen.end(), true);
   if (count == 0 || static_cast<double>(count) > kMostChanged * static_cast<double>(lower.cols())) {
     return;
@@ -46,26 +80,27 @@ LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& d
   CollectRows(lower, chosen);
 }
 
-void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<bool>& chosen) {
-  std::vector<int> place(lower.cols(), -1);
-  for (int j = 0; j < lower.cols(); ++j) {
+void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen) {
+  const int n = static_cast<int>(lower.cols());
+  std::vector<int> place(n, -1);
+  for (int j = 0; j < n; ++j) {
     if (!chosen[j]) continue;
     place[j] = num_rows();
     rows_.push_back(j);
     diagonal_.push_back(lower.valuePtr()[lower.outerIndexPtr()[j]]);
   }
   first_.assign(rows_.size() + 1, 0);
-  ForEachOffDiagonal(lower, [&](int i, int j, int) {
-    if (chosen[i]) ++first_[place[i] + 1];
-    if (chosen[j]) ++first_[place[j] + 1];
+  const std::vector<std::vector<Coupling>> couplings = CouplingsOf(lower, chosen);
+  ForEach(couplings, [&](const Coupling& c) {
+    if (chosen[c.i]) ++first_[place[c.i] + 1];
+    if (chosen[c.j]) ++first_[place[c.j] + 1];
   });
   for (int k = 0; k < num_rows(); ++k) first_[k + 1] += first_[k];
   entries_.resize(first_.back());
   std::vector<int> next(first_.begin(), first_.end() - 1);
-  ForEachOffDiagonal(lower, [&](int i, int j, int p) {
-    const double value = lower.valuePtr()[p];
-    if (chosen[i]) entries_[next[place[i]]++] = {j, value};
-    if (chosen[j]) entries_[next[place[j]]++] = {i, value};
+  ForEach(couplings, [&](const Coupling& c) {
+    if (chosen[c.i]) entries_[next[place[c.i]]++] = {c.j, c.value};
+    if (chosen[c.j]) entries_[next[place[c.j]]++] = {c.i, c.value};
   });
 }
 

@@ -32,7 +32,7 @@ class LocalSmoother {
     double value;
   };
 
-  void CollectRows(const SparseMatrix& lower, const std::vector<bool>& chosen);
+  void CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen);
 
   /// Solves the k-th row for its own unknown.
   void Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) const;

@@ -12,6 +12,7 @@ namespace cirque {
 namespace {
 
 constexpr double kWithNewFactor = 2;  ///< iterations a decade, as the matrix goes on to change
+constexpr int kWithRoughFactor = 8;   ///< iterations; more say that rounding matters
 constexpr double kLeastDecades = 0.1;
 
 }  // namespace
@@ -22,9 +23,19 @@ bool ReusedFactor::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right
       IterateOnFactor(lower, right_side, accuracy.tolerance, x, summary)) {
     return true;
   }
+  return SolveOnOwnFactor(lower, right_side, accuracy.tolerance, x, summary);
+}
+
+bool ReusedFactor::SolveOnOwnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                                    double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
   if (!Factorize(lower, summary)) return false;
+  const int before = summary->cg_iterations;
+  const bool solved = IterateOnFactor(lower, right_side, tolerance, x, summary);
+  if (rough_is_enough_ && (!solved || summary->cg_iterations - before > kWithRoughFactor)) {
+    rough_is_enough_ = false;
+    return SolveOnOwnFactor(lower, right_side, tolerance, x, summary);
+  }
   // With its own factor a system may fall short of the tolerance by rounding only.
-  IterateOnFactor(lower, right_side, accuracy.tolerance, x, summary);
   iterations_a_decade_ = 0;
   return x->allFinite();
 }
@@ -54,6 +65,7 @@ bool ReusedFactor::Factorize(const SparseMatrix& lower, SolveSummary* summary) {
   const Timer timer;
   const int analyses_before = cholesky_->symbolic_analyses();
   has_factor_ = cholesky_->Factorize(lower);
+  if (has_factor_ && rough_is_enough_) cholesky_->KeepRoughly();
   factored_diagonal_ = Diagonal(lower);
   summary->symbolic_analyses += cholesky_->symbolic_analyses() - analyses_before;
   ++summary->factorizations;

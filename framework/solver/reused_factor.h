@@ -8,14 +8,15 @@
 
 namespace cirque {
 
-/// Solves by conjugate gradients, preconditioned with the last factor and, where the matrix has
+/// Solves by conjugate gradients, preconditioned with the last factor, kept roughly
+/// (SparseCholesky::KeepRoughly) unless that turns out not to be enough, and, where the matrix has
 /// changed strongly in few places, with a LocalSmoother there; with a factor of the system's own
 /// when those take longer than factoring anew would.
 class ReusedFactor final : public SystemSolver {
  public:
-  /// `max_cg_iterations`: of a system before its matrix is factored. With one BLAS thread a solve
-  /// on the graph of a mesh costs a tenth of analysis and factorization, whatever the size. A goal
-  /// far away makes factoring pay earlier: when the iterations on all the way there would be more.
+  /// `max_cg_iterations`: of a system before its matrix is factored. On the graph of a mesh an
+  /// iteration costs about a twentieth of analysis and factorization, whatever the size. A goal far
+  /// away makes factoring pay earlier: when the iterations on all the way there would be more.
   ReusedFactor(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
@@ -27,6 +28,8 @@ class ReusedFactor final : public SystemSolver {
  private:
   bool IterateOnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                        double tolerance, Eigen::VectorXd* x, SolveSummary* summary);
+  bool SolveOnOwnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                        double tolerance, Eigen::VectorXd* x, SolveSummary* summary);
   bool Factorize(const SparseMatrix& lower, SolveSummary* summary);
 
   /// Whether a new factor saves more iterations on the way to the goal than it costs.
@@ -35,6 +38,7 @@ class ReusedFactor final : public SystemSolver {
   std::unique_ptr<SparseCholesky> cholesky_;
   int max_cg_iterations_;
   bool has_factor_ = false;
+  bool rough_is_enough_ = true;  ///< until the rounding of factors has shown
   Eigen::VectorXd factored_diagonal_;
   double iterations_a_decade_ = 0;  ///< with this factor, in the last system
 };

@@ -11,6 +11,7 @@
 namespace cirque {
 
 bool SparseCholesky::Factorize(const SparseMatrix& lower) {
+  if (!SamePatternAsBefore(lower)) Expect(static_cast<int>(lower.cols()));
   if (!Prepare(lower)) return false;
   ++factorizations_;
   return FactorizeNumerically(lower);

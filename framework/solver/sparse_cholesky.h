@@ -23,8 +23,16 @@ class SparseCholesky {
   /// ran out.
   bool Prepare(const SparseMatrix& lower);
 
+  /// That a matrix of that many unknowns is to be factored soon: memory may be made ready beside
+  /// what the caller does.
+  virtual void Expect(int unknowns) { static_cast<void>(unknowns); }
+
   /// x = A^-1 b with the last factor. @pre Factorize returned true.
   virtual Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) = 0;
+
+  /// Until the next factorization Solve() may be right to six digits only: enough for a
+  /// preconditioner, and faster.
+  virtual void KeepRoughly() {}
 
   /// The elimination order of the last analysis, first to last; empty when it is not known.
   virtual std::vector<int> Ordering() const { return {}; }

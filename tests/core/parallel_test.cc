@@ -20,6 +20,27 @@ TEST(Parallel, EveryIndexOnceInItsBlock) {
   }
 }
 
+TEST(Parallel, EveryTaskOnce) {
+  for (const int n : {0, 1, 40}) {
+    std::vector<int> visits(n, 0);
+    ParallelTasks(n, [&](int i) { ++visits[i]; });
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), n);
+  }
+}
+
+TEST(Parallel, LoopsWaitForTheirOwnWorkAlone) {
+  const ThreadLimit one(1);
+  std::atomic<int> done = 0;
+  BackgroundTask task([&done] { done = 1; });
+  std::atomic<int> sum = 0;
+  ParallelFor(20 * kParallelBlock, [&](int) { ++sum; });
+  ParallelTasks(20, [&](int) { ++sum; });
+  EXPECT_EQ(sum, 20 * kParallelBlock + 20);
+  EXPECT_EQ(done, 0);
+  task.Wait();
+  EXPECT_EQ(done, 1);
+}
+
 TEST(Parallel, LimitsHoldWhileTheyLiveAndTheSmallestWins) {
   const int all = NumThreads();
   EXPECT_GE(all, 1);

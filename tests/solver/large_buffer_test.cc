@@ -1,5 +1,6 @@
 #include "cirque/solver/large_buffer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -52,6 +53,39 @@ TEST(LargeBuffer, KeepsWhatItGrewTo) {
   ASSERT_TRUE(buffer.Reserve(3 * kCount));
   EXPECT_EQ(buffer.data(), data);
   ExpectWritable(buffer, 3 * kCount);
+}
+
+TEST(LargeBuffer, ExpectsMoreOrLessThanIsWanted) {
+  for (const std::size_t expected : {kCount / 100, kCount, 3 * kCount}) {
+    LargeBuffer buffer;
+    buffer.Expect(expected);
+    buffer.Expect(2 * kCount);
+    ASSERT_TRUE(buffer.Reserve(kCount));
+    buffer.Touch(kCount);
+    ExpectWritable(buffer, kCount);
+  }
+}
+
+TEST(LargeBuffer, TouchingChangesNothingThatWasTouched) {
+  LargeBuffer buffer;
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  buffer.Touch(kCount);
+  std::fill_n(buffer.data(), kCount, 3.5);
+  buffer.Touch(kCount / 2);
+  buffer.Touch(kCount);
+  EXPECT_EQ(std::count(buffer.data(), buffer.data() + kCount, 3.5), kCount);
+}
+
+TEST(LargeBuffer, ReleasingKeepsWhatComesBefore) {
+  LargeBuffer buffer;
+  buffer.Release(0);
+  ASSERT_TRUE(buffer.Reserve(kCount));
+  buffer.Touch(kCount);
+  std::fill_n(buffer.data(), kCount, 3.5);
+  buffer.Release(kCount / 2);
+  EXPECT_EQ(std::count(buffer.data(), buffer.data() + kCount / 2, 3.5), kCount / 2);
+  buffer.Touch(kCount);
+  ExpectWritable(buffer, kCount);
 }
 
 #ifndef __SANITIZE_ADDRESS__  // which ends the program where memory runs out

@@ -1,0 +1,86 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/supernodal_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cirque {
+namespace {
+
+constexpr int kGroups = 16;
+constexpr double kLargestBranch = 0.03;  ///< of all work
+constexpr int kNone = -1;
+
+}  // namespace
+
+SupernodalTree::SupernodalTree(const cholmod_factor& factor)
+    : factor_(factor),
+      first_column_(static_cast<const int*>(factor.super)),
+      first_row_(static_cast<const int*>(factor.pi)),
+      rows_(static_cast<const int*>(factor.s)) {
+  for (int s = 0; s < num_supernodes(); ++s) {
+    work_ += Work(s);
+    most_rows_ = std::max(most_rows_, NumRows(s));
+  }
+  const std::vector<int> parent = FindParents();
+  FindTrunk(parent);
+  DealOutBranches(parent);
+  for (int s = 0; s < num_supernodes(); ++s) num_near_.push_back(CountNear(s));
+}
+
+std::vector<int> SupernodalTree::FindParents() const {
+  std::vector<int> supernode(factor_.n), parent(num_supernodes(), kNone);
+  for (int s = 0; s < num_supernodes(); ++s) {
+    std::fill_n(supernode.begin() + FirstColumn(s), NumColumns(s), s);
+  }
+  for (int s = 0; s < num_supernodes(); ++s) {
+    if (NumRows(s) > NumColumns(s)) parent[s] = supernode[Rows(s)[NumColumns(s)]];
+  }
+  return parent;
+}
+
+void SupernodalTree::FindTrunk(const std::vector<int>& parent) {
+  std::vector<double> work_of_branch(num_supernodes(), 0);
+  in_trunk_.resize(num_supernodes());
+  trunk_number_.assign(factor_.n, kNone);
+  for (int s = 0; s < num_supernodes(); ++s) {
+    work_of_branch[s] += Work(s);
+    if (parent[s] != kNone) work_of_branch[parent[s]] += work_of_branch[s];
+    in_trunk_[s] = work_of_branch[s] > kLargestBranch * work_;
+    if (!in_trunk_[s]) continue;
+    trunk_.push_back(s);
+    for (int j = FirstColumn(s); j < FirstColumn(s + 1); ++j) {
+      trunk_number_[j] = static_cast<int>(trunk_columns_.size());
+      trunk_columns_.push_back(j);
+    }
+  }
+}
+
+void SupernodalTree::DealOutBranches(const std::vector<int>& parent) {
+  groups_.resize(kGroups);
+  double done = 0;
+  int group = 0, begin = 0;
+  for (int s = 0; s < num_supernodes(); ++s) {
+    done += Work(s);
+    if (in_trunk_[s]) {
+      begin = s + 1;
+    } else if (parent[s] == kNone || in_trunk_[parent[s]]) {
+      groups_[group].push_back({begin, s + 1});
+      begin = s + 1;
+      group = std::min(kGroups - 1, static_cast<int>(kGroups * done / work_));
+    }
+  }
+}
+
+int SupernodalTree::CountNear(int s) const {
+  if (in_trunk_[s]) return NumRows(s);
+  return static_cast<int>(
+      std::partition_point(Rows(s), Rows(s) + NumRows(s),
+                           [&](int row) { return trunk_number_[row] == kNone; }) -
+      Rows(s));
+}
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

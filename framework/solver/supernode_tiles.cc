@@ -1,0 +1,110 @@
+#include "cirque/solver/supernode_tiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+namespace cirque {
+namespace {
+
+constexpr int kRows = SupernodeTiles::kRows;
+constexpr int kAhead = 512;  ///< numbers; fewer come too late, the factor lies in main memory
+
+void ReadAhead(const float* numbers) {
+#ifdef __GNUC__
+  __builtin_prefetch(numbers);
+#endif
+}
+
+/// Of a tile, as double: what is added up is never single.
+double At(const float* tile, int row, int column) {
+  return static_cast<double>(tile[kRows * column + row]);
+}
+
+template <int kWidth>
+void SolvePanel(const float* tile, int num_tiles, double* w) {
+  std::array<double, kWidth> x;
+  for (int j = 0; j < kWidth; ++j) {
+    x[j] = w[j];
+    for (int i = 0; i < j; ++i) x[j] -= At(tile, j, i) * x[i];
+    x[j] /= At(tile, j, j);
+  }
+  double* const own = w;
+  for (int t = 0; t < num_tiles; ++t, tile += kRows * kWidth, w += kRows) {
+    ReadAhead(tile + kAhead);
+    for (int j = 0; j < kWidth; ++j) {
+      for (int row = 0; row < kRows; ++row) w[row] -= At(tile, row, j) * x[j];
+    }
+  }
+  std::copy(x.begin(), x.end(), own);
+}
+
+template <int kWidth>
+void SolvePanelTransposed(const float* first_tile, int num_tiles, double* w) {
+  double sum[kWidth][kRows] = {};
+  for (int t = num_tiles; --t > 0;) {
+    const float* tile = first_tile + kRows * kWidth * t;
+    ReadAhead(tile - kAhead);
+    for (int j = 0; j < kWidth; ++j) {
+      for (int row = 0; row < kRows; ++row) sum[j][row] += At(tile, row, j) * w[kRows * t + row];
+    }
+  }
+  for (int j = kWidth; j-- > 0;) {
+    double rest = w[j] - ((sum[j][0] + sum[j][1]) + (sum[j][2] + sum[j][3]));
+    for (int row = j + 1; row < kRows; ++row) rest -= At(first_tile, row, j) * w[row];
+    w[j] = rest / At(first_tile, j, j);
+  }
+}
+
+using PanelSolve = void (*)(const float* tiles, int num_tiles, double* w);
+constexpr std::array<PanelSolve, 5> kSolvePanel = {nullptr, SolvePanel<1>, SolvePanel<2>,
+                                                   SolvePanel<3>, SolvePanel<4>};
+constexpr std::array<PanelSolve, 5> kSolvePanelTransposed = {
+    nullptr, SolvePanelTransposed<1>, SolvePanelTransposed<2>, SolvePanelTransposed<3>,
+    SolvePanelTransposed<4>};
+
+}  // namespace
+
+int SupernodeTiles::Width(int first_column) const {
+  return std::min(kPanelColumns, columns_ - first_column);
+}
+
+std::size_t SupernodeTiles::Size() const {
+  std::size_t size = 0;
+  for (int k = 0; k < columns_; k += kPanelColumns) size += PanelSize(k);
+  return size;
+}
+
+void SupernodeTiles::Store(const double* dense, float* tiles) const {
+  std::vector<float> panel;
+  for (int k = 0; k < columns_; k += kPanelColumns) {
+    const int width = Width(k);
+    panel.assign(PanelSize(k), 0);
+    for (int j = 0; j < width; ++j) {
+      const double* column = dense + static_cast<std::size_t>(k + j) * rows_ + k;
+      for (int i = j; i < rows_ - k; ++i) {
+        panel[(i / kRows * width + j) * kRows + i % kRows] = static_cast<float>(column[i]);
+      }
+    }
+    std::memcpy(tiles, panel.data(), panel.size() * sizeof(float));
+    tiles += panel.size();
+  }
+}
+
+void SupernodeTiles::Solve(const float* tiles, double* w) const {
+  for (int k = 0; k < columns_; k += kPanelColumns) {
+    kSolvePanel[Width(k)](tiles, NumTiles(k), w + k);
+    tiles += PanelSize(k);
+  }
+}
+
+void SupernodeTiles::SolveTransposed(const float* tiles, double* w) const {
+  const float* end = tiles + Size();
+  for (int k = (columns_ - 1) / kPanelColumns * kPanelColumns; k >= 0; k -= kPanelColumns) {
+    end -= PanelSize(k);
+    kSolvePanelTransposed[Width(k)](end, NumTiles(k), w + k);
+  }
+}
+
+}  // namespace cirque

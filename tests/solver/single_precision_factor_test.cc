@@ -1,0 +1,182 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/single_precision_factor.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "cirque/core/parallel.h"
+#include "cirque/solver/cholmod_cholesky.h"
+#include "cirque/solver/reused_factor.h"
+
+#include "tests/solver/grid_matrix.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kSide = 150;  ///< large enough for a supernodal factor
+
+class SinglePrecisionFactorTest : public ::testing::Test {
+ protected:
+  void FactorRoughly(const SparseMatrix& lower) {
+    ASSERT_TRUE(cholesky_->Factorize(lower));
+    cholesky_->KeepRoughly();
+  }
+
+  /// |x - A^-1 b| / |A^-1 b|
+  double Error(const SparseMatrix& lower) {
+    const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 2);
+    const Eigen::VectorXd x = cholesky_->Solve(lower.selfadjointView<Eigen::Lower>() * wanted);
+    return (x - wanted).norm() / wanted.norm();
+  }
+
+  const SparseMatrix lower_ = GridMatrix(kSide, 0.1, 0.5);
+  const std::unique_ptr<SparseCholesky> cholesky_ = MakeCholmodCholesky();
+};
+
+TEST_F(SinglePrecisionFactorTest, SolvesToSixDigits) {
+  FactorRoughly(lower_);
+  EXPECT_LT(Error(lower_), 1e-5);
+  EXPECT_GT(Error(lower_), 1e-10) << "nothing was rounded";
+}
+
+TEST_F(SinglePrecisionFactorTest, IsSymmetricToRoundingOfDoubles) {
+  FactorRoughly(lower_);
+  const Eigen::VectorXd a = Eigen::VectorXd::Random(lower_.cols());
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(lower_.cols());
+  const double ab = a.dot(cholesky_->Solve(b)), ba = b.dot(cholesky_->Solve(a));
+  EXPECT_NEAR(ab, ba, 1e-13 * a.norm() * b.norm() / 0.1);
+  EXPECT_NE(ab, 0);
+}
+
+TEST_F(SinglePrecisionFactorTest, DoesNotDependOnTheNumberOfThreads) {
+  FactorRoughly(lower_);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(lower_.cols());
+  const Eigen::VectorXd x = cholesky_->Solve(b);
+  const ThreadLimit limit(1);
+  EXPECT_EQ((cholesky_->Solve(b) - x).norm(), 0);
+}
+
+TEST_F(SinglePrecisionFactorTest, LastsUntilTheNextFactorization) {
+  FactorRoughly(lower_);
+  cholesky_->KeepRoughly();
+  EXPECT_LT(Error(lower_), 1e-5);
+  ASSERT_TRUE(cholesky_->Factorize(lower_));
+  EXPECT_LT(Error(lower_), 1e-12);
+  EXPECT_EQ(cholesky_->symbolic_analyses(), 1);
+}
+
+TEST_F(SinglePrecisionFactorTest, IsLeftDoubleWhereSingleHasNoSuchNumbers) {
+  for (const double scale : {1e60, 1e-60}) {
+    const SparseMatrix scaled = scale * lower_;
+    FactorRoughly(scaled);
+    EXPECT_LT(Error(scaled), 1e-12) << scale;
+  }
+}
+
+TEST_F(SinglePrecisionFactorTest, WithoutAFactorNothingHappens) {
+  cholesky_->KeepRoughly();
+  FactorRoughly(lower_);
+  EXPECT_LT(Error(lower_), 1e-5);
+}
+
+TEST(SinglePrecisionFactor, IllConditionedSystemsAreFactoredInDouble) {
+  const SparseMatrix lower = GridMatrix(kSide, 1e-11);  // all but singular
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 3);
+  ReusedFactor factor(MakeCholesky("cholmod"), 10);
+  SolveSummary summary;
+  Eigen::VectorXd x;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(factor.Solve(lower, b, {1e-4}, &x, &summary));
+    EXPECT_LT((lower.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-4 * b.norm());
+  }
+  EXPECT_LE(summary.factorizations, 2);
+}
+
+/// The factor of a grid, analysed only.
+class SupernodalTreeTest : public ::testing::Test {
+ protected:
+  SupernodalTreeTest() {
+    cholmod_start(&common_);
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    SparseMatrix lower = GridMatrix(kSide, 1);
+    cholmod_sparse a = {};
+    a.nrow = a.ncol = static_cast<std::size_t>(lower.cols());
+    a.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    a.p = lower.outerIndexPtr();
+    a.i = lower.innerIndexPtr();
+    a.x = lower.valuePtr();
+    a.stype = -1;
+    a.xtype = CHOLMOD_REAL;
+    a.sorted = a.packed = 1;
+    factor_ = cholmod_analyze(&a, &common_);
+    tree_ = std::make_unique<SupernodalTree>(*factor_);
+  }
+
+  ~SupernodalTreeTest() override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  /// Of each supernode: the number of its branches among all groups', -1 in the trunk.
+  std::vector<int> Places() const {
+    std::vector<int> place(tree_->num_supernodes(), -2);
+    int count = 0;
+    for (const auto& group : tree_->groups()) {
+      for (const auto& branches : group) {
+        for (int s = branches.begin; s < branches.end; ++s) {
+          EXPECT_EQ(place[s], -2) << "twice";
+          place[s] = count;
+        }
+        ++count;
+      }
+    }
+    for (const int s : tree_->trunk()) place[s] = place[s] == -2 ? -1 : -3;
+    return place;
+  }
+
+  cholmod_common common_ = {};
+  cholmod_factor* factor_ = nullptr;
+  std::unique_ptr<SupernodalTree> tree_;
+};
+
+TEST_F(SupernodalTreeTest, EverySupernodeHasOnePlaceAndBranchesDoNotSeeEachOther) {
+  const std::vector<int> place = Places();
+  std::vector<int> place_of_column(factor_->n);
+  for (int s = 0; s < tree_->num_supernodes(); ++s) {
+    ASSERT_GE(place[s], -1);
+    for (int k = 0; k < tree_->NumColumns(s); ++k) {
+      place_of_column[tree_->FirstColumn(s) + k] = place[s];
+    }
+  }
+  for (int s = 0; s < tree_->num_supernodes(); ++s) {
+    for (int k = 0; k < tree_->NumRows(s); ++k) {
+      const bool near = k < tree_->NumNear(s);
+      ASSERT_EQ(place_of_column[tree_->Rows(s)[k]], near ? place[s] : -1);
+      ASSERT_EQ(tree_->TrunkNumber(tree_->Rows(s)[k]) >= 0, place[s] == -1 || !near);
+    }
+  }
+}
+
+TEST_F(SupernodalTreeTest, TheWorkIsDealtOutToManyGroupsAndLittleIsLeftForTheTrunk) {
+  const auto work = [&](int s) { return double(tree_->NumRows(s)) * tree_->NumColumns(s); };
+  double all = 0, of_trunk = 0, most = 0;
+  for (int s = 0; s < tree_->num_supernodes(); ++s) all += work(s);
+  for (const int s : tree_->trunk()) of_trunk += work(s);
+  for (const auto& group : tree_->groups()) {
+    double of_group = 0;
+    for (const auto& branches : group) {
+      for (int s = branches.begin; s < branches.end; ++s) of_group += work(s);
+    }
+    most = std::max(most, of_group);
+  }
+  EXPECT_GT(most, 0);
+  EXPECT_LT(most, 0.15 * all);
+  EXPECT_LT(of_trunk, 0.4 * all);
+}
+
+}  // namespace
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD
