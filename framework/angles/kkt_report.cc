@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
+#include "cirque/core/parallel.h"
 #include "cirque/energy/dual_angle_energy.h"
 
 namespace cirque {
@@ -40,6 +42,12 @@ class InequalityCheck {
     const double mu = left_is_free ? excess_l : excess_r;
     Add(mu, theta);
     Add(mu - (left_is_free ? excess_r : excess_l), left_is_free ? alpha_[r] : alpha_[l]);
+  }
+
+  void Add(const InequalityCheck& other) {
+    dual_infeasibility_ = Worse(dual_infeasibility_, other.dual_infeasibility_);
+    complementarity_ = Worse(complementarity_, other.complementarity_);
+    largest_slope_ = std::max(largest_slope_, other.largest_slope_);
   }
 
   double dual_infeasibility() const { return dual_infeasibility_ / (1 + largest_slope_); }
@@ -139,7 +147,13 @@ KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objecti
   report.stationarity = (alpha - energy.Angles(y.data())).lpNorm<Eigen::Infinity>();
   const Triangulation& t = problem.constraints.triangulation();
   InequalityCheck check(problem, objective, alpha, y);
-  for (const Index h : t.edge_halfedge) check.AddEdge(h, t.twin[h]);
+  std::vector<InequalityCheck> of_block(NumBlocks(t.num_edges()), check);
+  ForEachBlock(t.num_edges(), [&](int block, int begin, int end) {
+    for (Index e = begin; e < end; ++e) {
+      of_block[block].AddEdge(t.edge_halfedge[e], t.twin[t.edge_halfedge[e]]);
+    }
+  });
+  for (const InequalityCheck& part : of_block) check.Add(part);
   report.dual_infeasibility = check.dual_infeasibility();
   report.complementarity =
       Worse(check.complementarity(), RangeComplementarity(problem.constraints, alpha, y)) /

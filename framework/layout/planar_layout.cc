@@ -95,15 +95,20 @@ PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d
   PlanarLayout layout;
   layout.patches = open.patches;
   layout.patch_closure.assign(open.patches.count, 0);
-  for (Index e = 0; e < t.num_edges(); ++e) {
+  std::vector<double> missed(t.num_edges());
+  ParallelFor(t.num_edges(), [&](Index e) {
     const Index h = t.edge_halfedge[e];
     const Eigen::Vector2d placed = position[t.Tip(h)] - position[t.Tail(h)];
-    double& worst = layout.patch_closure[open.patches.of_face[Triangulation::Face(h)]];
-    worst = std::max(worst, (placed - open.Wanted(h)).norm() / open.lengths.value[e]);
+    missed[e] = (placed - open.Wanted(h)).norm() / open.lengths.value[e];
+  });
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index f = Triangulation::Face(t.edge_halfedge[e]);
+    double& worst = layout.patch_closure[open.patches.of_face[f]];
+    worst = std::max(worst, missed[e]);
     layout.closure = std::max(layout.closure, worst);
   }
-  layout.uv.value.reserve(t.num_halfedges());
-  for (const Index v : t.vertex) layout.uv.value.push_back(position[v]);
+  layout.uv.value.resize(t.num_halfedges());
+  ParallelFor(t.num_halfedges(), [&](Index c) { layout.uv.value[c] = position[t.vertex[c]]; });
   return layout;
 }
 

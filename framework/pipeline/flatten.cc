@@ -15,6 +15,7 @@
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
 #include "cirque/layout/move_vertices.h"
+#include "cirque/math/parallel_sum.h"
 #include "cirque/mesh/corner_angles.h"
 #include "cirque/radii/solve_log_radii.h"
 
@@ -27,12 +28,10 @@ constexpr char kRetry[] = "interior_point";
 
 double Area(const Triangulation& t, const EdgeLengths& lengths) {
   const CornerAngles angles = MeasureCornerAngles(t, lengths);
-  double area = 0;
-  for (Index f = 0; f < t.num_faces(); ++f) {
-    area += 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
-            std::sin(angles.value[3 * f + 2]);
-  }
-  return area;
+  return ParallelSum(t.num_faces(), [&](Index f) {
+    return 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
+           std::sin(angles.value[3 * f + 2]);
+  });
 }
 
 /// The faces and all that can be reached from them over that many edges.
@@ -239,13 +238,12 @@ class Flattening {
 
   /// Shifts the gauge so that the image has the surface's area.
   void ScaleToSurfaceArea(const CornerAngles& flat) {
-    double image_area = 0;
-    for (Index f = 0; f < input_.num_faces(); ++f) {
+    const double image_area = ParallelSum(input_.num_faces(), [&](Index f) {
       const double radius = std::exp(result_.log_radii.value[f]);
       double image = 2 * radius * radius;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= std::sin(flat.value[h]);
-      image_area += image;
-    }
+      return image;
+    });
     result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);
   }
 

@@ -32,6 +32,7 @@ bool SnapRotations(const Triangulation& t, const Cut& cut, const std::vector<Ind
   const SeamReport seams = MeasureSeams(t, cut, cones, flat_angles, *uv);
   const auto multiple = IntegerRotations(t, seams, order, kRotation);
   if (!multiple.ok()) return false;
+  if (seams.seams.empty()) return true;
   CornerUv snapped = *uv;
   SnapSeams(t, cut, seams, *multiple, order, &snapped);
   if (!FlippedFaces(t, snapped).empty()) return false;

@@ -123,6 +123,7 @@ class CholmodCholesky final : public SparseCholesky {
   /// it from the second time on. CHOLMOD itself returns that memory to the system with every new
   /// analysis, and to be given pages anew takes up to half the time of factoring.
   bool LendMemory() {
+    if (!factor_->is_super) numbers_.Release(0);
     if (!factor_->is_super || factor_->xtype != CHOLMOD_PATTERN) return true;
     if (!numbers_.Reserve(factor_->xsize)) return false;
     factor_->x = numbers_.data();

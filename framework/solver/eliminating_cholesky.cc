@@ -152,6 +152,7 @@ class EliminatingCholesky final : public SparseCholesky {
     number_.resize(n);
     kept_.clear();
     eliminated_.clear();
+    eliminated_.reserve(n);  // pages beyond the last one are never touched
     for (int i = 0; i < n; ++i) {
       const int degree = neighbours.end(i) - neighbours.begin(i);
       if (must_stay[i] || degree > kMaxNeighbours) {
@@ -208,24 +209,20 @@ class EliminatingCholesky final : public SparseCholesky {
     complement_.resize(NumKept(), NumKept());
     int* start = complement_.outerIndexPtr();
     start[0] = 0;
-    ForEachColumn(
-        [&](int j, const std::vector<int>& rows) { start[j + 1] = static_cast<int>(rows.size()); });
-    for (int j = 0; j < NumKept(); ++j) start[j + 1] += start[j];
-    complement_.resizeNonZeros(start[NumKept()]);
-    ForEachColumn([&](int j, const std::vector<int>& rows) {
-      std::copy(rows.begin(), rows.end(), complement_.innerIndexPtr() + start[j]);
-    });
-  }
-
-  /// Calls visit(column, its rows), at once where threads allow.
-  template <class Visit>
-  void ForEachColumn(const Visit& visit) const {
-    ForEachBlock(NumKept(), [&](int, int begin, int end) {
+    std::vector<std::vector<int>> rows_of_block(NumBlocks(NumKept()));
+    ForEachBlock(NumKept(), [&](int block, int begin, int end) {
       std::vector<int> rows;
       for (int j = begin; j < end; ++j) {
         FindRows(j, &rows);
-        visit(j, rows);
+        start[j + 1] = static_cast<int>(rows.size());
+        rows_of_block[block].insert(rows_of_block[block].end(), rows.begin(), rows.end());
       }
+    });
+    for (int j = 0; j < NumKept(); ++j) start[j + 1] += start[j];
+    complement_.resizeNonZeros(start[NumKept()]);
+    ForEachBlock(NumKept(), [&](int block, int begin, int) {
+      const std::vector<int>& rows = rows_of_block[block];
+      std::copy(rows.begin(), rows.end(), complement_.innerIndexPtr() + start[begin]);
     });
   }
 

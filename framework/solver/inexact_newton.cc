@@ -9,7 +9,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxAttempts = 12;
-constexpr double kLeastForcing = 1e-3;
+constexpr double kLeastForcing = 1e-4;
 constexpr double kShareOfGoal = 0.3;  ///< what the last system may leave of the gradient tolerance
 
 /// Solves each Newton system, with a shift where the matrix turns out not to be positive definite.

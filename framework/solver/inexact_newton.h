@@ -23,7 +23,7 @@ std::vector<typename OptionTable<T>::Field> InexactNewtonFields(const std::strin
 
 /// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs
 /// (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared),
-/// but `forcing` in the first step, and where that allows not below 1e-3 or what the solve's
+/// but `forcing` in the first step, and where that allows not below 1e-4 or what the solve's
 /// gradient tolerance asks for.
 void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x);
 

@@ -55,6 +55,7 @@ void LargeBuffer::Touch(std::size_t count) {
 }
 
 void LargeBuffer::Release(std::size_t count) {
+  touching_.reset();
 #ifdef __linux__
   const std::size_t kept = (count * sizeof(double) / kPage + 1) * kPage;
   const std::size_t bytes = capacity_ * sizeof(double);

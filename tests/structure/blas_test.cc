@@ -28,11 +28,13 @@ std::string OutputOf(const std::string& command) {
   return output;
 }
 
-// The libraries to which libcholmod's calls of dgemm_ and dsyrk_ bind in a program. The dynamic
-// linker says so itself, without running the program.
-std::vector<std::string> BlasOfCholmod(const std::string& program) {
-  static const std::regex kBinding(
-      R"re(binding file \S*libcholmod\S* \[0\] to (\S+) \[0\]: normal symbol `(dgemm_|dsyrk_)')re");
+// Where libcholmod's calls of these functions (a regular expression) bind to in a program. The
+// dynamic linker says so itself, without running the program.
+std::vector<std::string> BindingsOfCholmod(const std::string& program,
+                                           const std::string& functions) {
+  const std::regex kBinding(
+      R"re(binding file \S*libcholmod\S* \[0\] to (\S+) \[0\]: normal symbol `()re" + functions +
+      ")'");
   const std::string bindings = OutputOf("LD_DEBUG=bindings ldd -r '" + program + "'");
   std::vector<std::string> libraries;
   for (std::sregex_iterator match(bindings.begin(), bindings.end(), kBinding), end; match != end;
@@ -63,11 +65,19 @@ TEST(Blas, OfThisProcessIsOpenBlas) {
 TEST(Blas, OfCholmodIsOpenBlasInEveryProgram) {
   bool has_cholmod = false;
   for (const std::string& program : Programs()) {
-    const std::vector<std::string> libraries = BlasOfCholmod(program);
+    const std::vector<std::string> libraries = BindingsOfCholmod(program, "dgemm_|dsyrk_");
     has_cholmod = has_cholmod || libraries.size() == 2;
     EXPECT_THAT(libraries, testing::Each(testing::HasSubstr("openblas"))) << program;
   }
   EXPECT_TRUE(has_cholmod);
+}
+
+// Or every supernode costs several teams of one thread.
+TEST(Blas, ParallelRegionsOfCholmodEnterTheProgramsOwnWay) {
+  for (const char* name : {"circle_patterns", "run_experiment", "reference_factorization"}) {
+    const std::string program = std::filesystem::path(ProgramFolder()) / name;
+    EXPECT_THAT(BindingsOfCholmod(program, "GOMP_parallel"), testing::ElementsAre(program));
+  }
 }
 
 }  // namespace
