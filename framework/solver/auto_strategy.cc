@@ -11,8 +11,9 @@
 namespace cirque {
 namespace {
 
-/// Where multigrid takes as long as a factor, in less memory (results/multigrid.md).
-constexpr int kMultigridUnknowns = 10000000;
+/// Where a map's factors begin to need more than 16 GB. Multigrid takes less memory and at 13
+/// million unknowns 1.4 times as long, which grows more slowly (results/multigrid.md).
+constexpr int kMultigridUnknowns = 20000000;
 
 /// A factorization then takes milliseconds; exact steps end sooner where there is no minimum, and
 /// in better proofs of that.

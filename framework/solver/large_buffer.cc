@@ -13,7 +13,7 @@ constexpr std::size_t kPage = std::size_t{1} << 21;  ///< bytes of a large page
 constexpr std::size_t kTouch = 512;                  ///< numbers of a small one
 constexpr double kMost = 0x1p62;                     ///< bytes; beyond, there is no such memory
 constexpr double kHeadroom = 1.2;  ///< factors of like patterns differ by some per cent
-constexpr double kUnsure = 4;      ///< what is expected may be far less than what is wanted then
+constexpr double kUnsure = 3;      ///< what is expected may be far less than what is wanted then
 
 }  // namespace
 

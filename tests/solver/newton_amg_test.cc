@@ -40,7 +40,7 @@ TEST(NewtonAmg, IsChosenForTheLargestSystems) {
     return dynamic_cast<const AmgSystemSolver*>(solver.get()) != nullptr;
   };
   EXPECT_FALSE(uses_multigrid(9'999'999));
-  EXPECT_EQ(uses_multigrid(10'000'000), BuiltWithMultigrid());
+  EXPECT_EQ(uses_multigrid(20'000'000), BuiltWithMultigrid());
 }
 
 class AmgSystemSolverTest : public ::testing::TestWithParam<std::string> {
