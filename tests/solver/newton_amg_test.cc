@@ -39,7 +39,7 @@ TEST(NewtonAmg, IsChosenForTheLargestSystems) {
     const auto solver = automatic->MakeSystemSolver(num_unknowns);
     return dynamic_cast<const AmgSystemSolver*>(solver.get()) != nullptr;
   };
-  EXPECT_FALSE(uses_multigrid(9'999'999));
+  EXPECT_FALSE(uses_multigrid(19'999'999));
   EXPECT_EQ(uses_multigrid(20'000'000), BuiltWithMultigrid());
 }
 
