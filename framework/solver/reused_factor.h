@@ -9,9 +9,9 @@
 namespace cirque {
 
 /// Solves by conjugate gradients, preconditioned with the last factor, kept roughly
-/// (SparseCholesky::KeepRoughly) unless that turns out not to be enough, and, where the matrix has
-/// changed strongly in few places, with a LocalSmoother there; with a factor of the system's own
-/// when those take longer than factoring anew would.
+/// (SparseCholesky::KeepRoughly), and, where the matrix has changed strongly in few places, with a
+/// LocalSmoother there; with a factor of the system's own, in double, when those take longer than
+/// factoring anew would.
 class ReusedFactor final : public SystemSolver {
  public:
   /// `max_cg_iterations`: of a system before its matrix is factored. On the graph of a mesh an
@@ -38,7 +38,6 @@ class ReusedFactor final : public SystemSolver {
   std::unique_ptr<SparseCholesky> cholesky_;
   int max_cg_iterations_;
   bool has_factor_ = false;
-  bool rough_is_enough_ = true;  ///< until the rounding of factors has shown
   Eigen::VectorXd factored_diagonal_;
   double iterations_a_decade_ = 0;  ///< with this factor, in the last system
 };

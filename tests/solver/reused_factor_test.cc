@@ -100,8 +100,8 @@ TEST_F(ReusedFactorTest, AFactorIsMadeWhereTheWayIsLong) {
       EXPECT_TRUE(factor.Solve(*lower, b, {1e-1, goal}, &x, &summary));
       EXPECT_EQ(summary.factorizations, 1) << "how well the factor fits is not known yet";
     }
-    // The first iteration is that of the first system.
-    EXPECT_GT(summary.cg_iterations, 1 + 2);
+    // The first system, on its own factor, takes none.
+    EXPECT_GT(summary.cg_iterations, 2);
     EXPECT_TRUE(factor.Solve(other, b, {1e-1, goal}, &x, &summary));
     EXPECT_EQ(summary.factorizations, goal < 1e-1 ? 2 : 1) << goal;
   }

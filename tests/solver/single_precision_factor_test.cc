@@ -81,7 +81,7 @@ TEST_F(SinglePrecisionFactorTest, WithoutAFactorNothingHappens) {
   EXPECT_LT(Error(lower_), 1e-5);
 }
 
-TEST(SinglePrecisionFactor, IllConditionedSystemsAreFactoredInDouble) {
+TEST(SinglePrecisionFactor, IllConditionedSystemsAreSolvedAllTheSame) {
   const SparseMatrix lower = GridMatrix(kSide, 1e-11);  // all but singular
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 3);
   ReusedFactor factor(MakeCholesky("cholmod"), 10);
