@@ -94,6 +94,24 @@ TEST(SinglePrecisionFactor, IllConditionedSystemsAreSolvedAllTheSame) {
   EXPECT_LE(summary.factorizations, 2);
 }
 
+// Newton's method on an angle fit can lose its way where its first systems are solved loosely.
+TEST(SinglePrecisionFactor, IsNotWhatItsOwnSystemIsSolvedWith) {
+  const SparseMatrix lower = GridMatrix(kSide, 0.1, 0.5), other = GridMatrix(kSide, 0.1, 0.51);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 3);
+  ReusedFactor factor(MakeCholesky("cholmod"), 10);
+  SolveSummary summary;
+  Eigen::VectorXd x;
+  const auto residual = [&](const SparseMatrix& matrix) {
+    EXPECT_TRUE(factor.Solve(matrix, b, {0.1}, &x, &summary));
+    return (matrix.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
+  };
+  EXPECT_LT(residual(lower), 1e-13);
+  EXPECT_EQ(summary.cg_iterations, 0);
+  EXPECT_GT(residual(other), 1e-10);
+  EXPECT_GT(summary.cg_iterations, 0);
+  EXPECT_EQ(summary.factorizations, 1);
+}
+
 /// The factor of a grid, analysed only.
 class SupernodalTreeTest : public ::testing::Test {
  protected:
