@@ -1,7 +1,6 @@
 #include "cirque/solver/conjugate_gradients.h"
 
 #include <cmath>
-#include <vector>
 
 #include "cirque/core/parallel.h"
 

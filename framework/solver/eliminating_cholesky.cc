@@ -235,7 +235,7 @@ class EliminatingCholesky final : public SparseCholesky {
       column[std::lower_bound(rows, rows + count, i) - rows] += x;
     };
     std::fill_n(column, count, 0.0);
-    add(j, value[lower.outerIndexPtr()[kept_[j]]]);
+    add(j, DiagonalEntry(lower, kept_[j]));
     for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
       const auto [other, position] = coupling_[k];
       if (other >= 0) {

@@ -31,10 +31,10 @@ bool LargeBuffer::Reserve(std::size_t count) {
 }
 
 bool LargeBuffer::Allocate(double count) {
-  data_.reset();
-  capacity_ = touched_ = 0;
   const double wanted = count * sizeof(double);
   if (wanted > kMost) return false;
+  data_.reset();
+  capacity_ = touched_ = 0;
   const std::size_t bytes = (static_cast<std::size_t>(wanted) / kPage + 1) * kPage;
   data_.reset(static_cast<double*>(std::aligned_alloc(kPage, bytes)));
   if (!data_) return false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cirque/core/parallel.h"
+#include "cirque/solver/lower_triangle.h"
 
 namespace cirque {
 
@@ -18,23 +19,19 @@ constexpr int kSweeps = 8;
 std::vector<char> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& before) {
   std::vector<char> changed(lower.cols());
   ParallelFor(static_cast<int>(lower.cols()), [&](int j) {
-    const double now = lower.valuePtr()[lower.outerIndexPtr()[j]];
-    changed[j] = std::abs(now - before[j]) > kChanged * before[j];
+    changed[j] = std::abs(DiagonalEntry(lower, j) - before[j]) > kChanged * before[j];
   });
   return changed;
 }
 
 std::vector<char> WithNeighbours(const SparseMatrix& lower, const std::vector<char>& chosen) {
   std::vector<char> grown = chosen;
-  const int* start = lower.outerIndexPtr();
-  const int* row = lower.innerIndexPtr();
   const int n = static_cast<int>(lower.cols());
   ParallelFor(n, [&](int j) {
-    for (int p = start[j] + 1; p < start[j + 1] && !grown[j]; ++p) grown[j] = chosen[row[p]];
+    ForEachBelowDiagonal(lower, j, [&](int i, int) { grown[j] = grown[j] || chosen[i]; });
   });
   for (int j = 0; j < n; ++j) {
-    if (!chosen[j]) continue;
-    for (int p = start[j] + 1; p < start[j + 1]; ++p) grown[row[p]] = true;
+    if (chosen[j]) ForEachBelowDiagonal(lower, j, [&](int i, int) { grown[i] = true; });
   }
   return grown;
 }
@@ -51,10 +48,9 @@ std::vector<std::vector<Coupling>> CouplingsOf(const SparseMatrix& lower,
   std::vector<std::vector<Coupling>> couplings(NumBlocks(n));
   ForEachBlock(n, [&](int block, int begin, int end) {
     for (int j = begin; j < end; ++j) {
-      for (int p = lower.outerIndexPtr()[j] + 1; p < lower.outerIndexPtr()[j + 1]; ++p) {
-        const int i = lower.innerIndexPtr()[p];
+      ForEachBelowDiagonal(lower, j, [&](int i, int p) {
         if (chosen[i] || chosen[j]) couplings[block].push_back({i, j, lower.valuePtr()[p]});
-      }
+      });
     }
   });
   return couplings;
@@ -87,7 +83,7 @@ void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<cha
     if (!chosen[j]) continue;
     place[j] = num_rows();
     rows_.push_back(j);
-    diagonal_.push_back(lower.valuePtr()[lower.outerIndexPtr()[j]]);
+    diagonal_.push_back(DiagonalEntry(lower, j));
   }
   first_.assign(rows_.size() + 1, 0);
   const std::vector<std::vector<Coupling>> couplings = CouplingsOf(lower, chosen);

@@ -4,25 +4,34 @@
 
 namespace cirque {
 
-/// Calls visit(i, j, p) for the entries below the diagonal of a symmetric matrix that is given by
-/// its compressed lower triangle, each column beginning with its diagonal entry: row, column and
-/// position among the values.
+/// Symmetric matrices that are given by their compressed lower triangle, each column beginning with
+/// its diagonal entry.
+
+inline double DiagonalEntry(const SparseMatrix& lower, int j) {
+  return lower.valuePtr()[lower.outerIndexPtr()[j]];
+}
+
+inline Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
+  Eigen::VectorXd diagonal(lower.cols());
+  for (int j = 0; j < lower.cols(); ++j) diagonal[j] = DiagonalEntry(lower, j);
+  return diagonal;
+}
+
+/// Calls visit(i, p) for the entries of column j below the diagonal: row and position among the
+/// values.
 template <class Visit>
-void ForEachOffDiagonal(const SparseMatrix& lower, const Visit& visit) {
-  for (int j = 0; j < lower.cols(); ++j) {
-    for (int p = lower.outerIndexPtr()[j] + 1; p < lower.outerIndexPtr()[j + 1]; ++p) {
-      visit(lower.innerIndexPtr()[p], j, p);
-    }
+void ForEachBelowDiagonal(const SparseMatrix& lower, int j, const Visit& visit) {
+  for (int p = lower.outerIndexPtr()[j] + 1; p < lower.outerIndexPtr()[j + 1]; ++p) {
+    visit(lower.innerIndexPtr()[p], p);
   }
 }
 
-/// Its diagonal.
-inline Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
-  Eigen::VectorXd diagonal(lower.cols());
+/// Calls visit(i, j, p) for those of all columns.
+template <class Visit>
+void ForEachOffDiagonal(const SparseMatrix& lower, const Visit& visit) {
   for (int j = 0; j < lower.cols(); ++j) {
-    diagonal[j] = lower.valuePtr()[lower.outerIndexPtr()[j]];
+    ForEachBelowDiagonal(lower, j, [&](int i, int p) { visit(i, j, p); });
   }
-  return diagonal;
 }
 
 }  // namespace cirque

@@ -11,14 +11,19 @@
 namespace cirque {
 
 bool SparseCholesky::Factorize(const SparseMatrix& lower) {
-  if (!SamePatternAsBefore(lower)) Expect(static_cast<int>(lower.cols()));
-  if (!Prepare(lower)) return false;
+  if (!SamePatternAsBefore(lower)) {
+    Expect(static_cast<int>(lower.cols()));
+    if (!AnalyzeAnew(lower)) return false;
+  }
   ++factorizations_;
   return FactorizeNumerically(lower);
 }
 
 bool SparseCholesky::Prepare(const SparseMatrix& lower) {
-  if (SamePatternAsBefore(lower)) return true;
+  return SamePatternAsBefore(lower) || AnalyzeAnew(lower);
+}
+
+bool SparseCholesky::AnalyzeAnew(const SparseMatrix& lower) {
   ++symbolic_analyses_;
   column_starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
   row_indices_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());

@@ -48,6 +48,7 @@ class SparseCholesky {
   virtual bool FactorizeNumerically(const SparseMatrix& lower) = 0;
 
  private:
+  bool AnalyzeAnew(const SparseMatrix& lower);
   bool SamePatternAsBefore(const SparseMatrix& lower) const;
 
   std::vector<int> column_starts_, row_indices_;

@@ -3,14 +3,14 @@
 #include "cirque/solver/supernodal_tree.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "cirque/core/types.h"
 
 namespace cirque {
 namespace {
 
 constexpr int kGroups = 16;
 constexpr double kLargestBranch = 0.03;  ///< of all work
-constexpr int kNone = -1;
 
 }  // namespace
 

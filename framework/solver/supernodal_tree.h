@@ -36,7 +36,7 @@ class SupernodalTree {
   /// Its supernodes, increasing.
   const std::vector<int>& trunk() const { return trunk_; }
 
-  /// The columns of the trunk, increasing, and a column's number among them; kNotInTrunk.
+  /// The columns of the trunk, increasing, and a column's number among them, kNone elsewhere.
   const std::vector<int>& trunk_columns() const { return trunk_columns_; }
   int TrunkNumber(int column) const { return trunk_number_[column]; }
 
