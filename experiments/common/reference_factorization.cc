@@ -3,13 +3,16 @@
 #include <cmath>
 #include <ctime>
 
+#ifdef CIRQUE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
 #include <glog/logging.h>
 
 #include "cirque/core/timer.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/laplacian_assembler.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/solver/eigen_cholesky.h"
 
 namespace cirque {
 namespace {
@@ -35,28 +38,42 @@ SparseMatrix CotangentLaplacian(const Surface& surface) {
   return lower;
 }
 
-ReferenceFactorization TimeFactorization(const SparseMatrix& lower, SparseCholesky* cholesky) {
+#ifdef CIRQUE_CHOLMOD
+
+/// CHOLMOD on one core with the ordering that is cheapest here, and nothing of ours.
+bool Factorize(const SparseMatrix& lower) {
+  Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> cholesky;
+  cholesky.cholmod().nmethods = 1;
+  cholesky.cholmod().method[0].ordering = CHOLMOD_AMD;
+  cholesky.compute(lower);
+  return cholesky.info() == Eigen::Success;
+}
+
+#else
+
+bool Factorize(const SparseMatrix& lower) { return MakeEigenCholesky()->Factorize(lower); }
+
+#endif
+
+ReferenceFactorization TimeFactorization(const SparseMatrix& lower) {
   const Timer timer;
   const double cpu_before = ThreadSeconds();
-  CHECK(cholesky->Factorize(lower)) << "the Laplacian is not positive definite";
+  CHECK(Factorize(lower)) << "the Laplacian is not positive definite";
   return {timer.Seconds(), ThreadSeconds() - cpu_before};
 }
 
 }  // namespace
 
 ReferenceFactorization TimeReferenceFactorization(const Surface& surface) {
-  const SparseMatrix lower = CotangentLaplacian(surface);
-  const auto factory = LinearSolvers().Find(LinearSolvers().Names().front());
-  CHECK(factory.ok());
-  return TimeFactorization(lower, (*factory)().get());
+  return TimeFactorization(CotangentLaplacian(surface));
 }
 
-ReferenceFactorization TimeDualFactorization(const Surface& surface) {
-  const Triangulation& t = surface.triangulation;
+ReferenceFactorization TimeDualFactorization(const Triangulation& triangulation) {
   SparseMatrix lower;
-  DualLaplacian(t).Assemble(Eigen::VectorXd::Ones(t.num_halfedges()), &lower);
-  for (Index f = 0; f < t.num_faces(); ++f) lower.coeffRef(f, f) += kShift;
-  return TimeFactorization(lower, MakeCholesky().get());
+  DualLaplacian(triangulation)
+      .Assemble(Eigen::VectorXd::Ones(triangulation.num_halfedges()), &lower);
+  for (Index f = 0; f < triangulation.num_faces(); ++f) lower.coeffRef(f, f) += kShift;
+  return TimeFactorization(lower);
 }
 
 }  // namespace cirque
