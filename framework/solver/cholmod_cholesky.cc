@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "cirque/solver/large_buffer.h"
 #include "cirque/solver/single_precision_factor.h"
+#include "cirque/solver/supernodal_factorization.h"
 
 namespace cirque {
 namespace {
@@ -107,13 +109,18 @@ class CholmodCholesky final : public SparseCholesky {
     common_.method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
     factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
     suggested_ = {};
-    return factor_ != nullptr && LendMemory();
+    if (!factor_ || !LendMemory()) return false;
+    if (factor_->is_super) supernodal_.emplace(lower, *factor_);
+    return true;
   }
 
   bool FactorizeNumerically(const SparseMatrix& lower) override {
-    cholmod_sparse a = View(lower);
     rounded_.reset();
-    if (factor_->x == numbers_.data()) numbers_.Touch(factor_->xsize);
+    if (supernodal_) {
+      numbers_.Touch(factor_->xsize);
+      return supernodal_->Compute(lower);
+    }
+    cholmod_sparse a = View(lower);
     const bool done = cholmod_factorize(&a, factor_, &common_) != 0;
     return done && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
@@ -135,10 +142,12 @@ class CholmodCholesky final : public SparseCholesky {
 
   void FreeFactor() {
     rounded_.reset();
+    supernodal_.reset();
     if (factor_ && factor_->x == numbers_.data()) factor_->x = nullptr;
     cholmod_free_factor(&factor_, &common_);
   }
 
+  std::optional<SupernodalFactorization> supernodal_;
   std::unique_ptr<SinglePrecisionFactor> rounded_;
   LargeBuffer numbers_;
   std::vector<int> suggested_;  ///< order of the next analysis; empty: AMD's

@@ -18,8 +18,10 @@ SupernodalTree::SupernodalTree(const cholmod_factor& factor)
     : factor_(factor),
       first_column_(static_cast<const int*>(factor.super)),
       first_row_(static_cast<const int*>(factor.pi)),
-      rows_(static_cast<const int*>(factor.s)) {
+      rows_(static_cast<const int*>(factor.s)),
+      supernode_(factor.n) {
   for (int s = 0; s < num_supernodes(); ++s) {
+    std::fill_n(supernode_.begin() + FirstColumn(s), NumColumns(s), s);
     work_ += Work(s);
     most_rows_ = std::max(most_rows_, NumRows(s));
   }
@@ -30,12 +32,9 @@ SupernodalTree::SupernodalTree(const cholmod_factor& factor)
 }
 
 std::vector<int> SupernodalTree::FindParents() const {
-  std::vector<int> supernode(factor_.n), parent(num_supernodes(), kNone);
+  std::vector<int> parent(num_supernodes(), kNone);
   for (int s = 0; s < num_supernodes(); ++s) {
-    std::fill_n(supernode.begin() + FirstColumn(s), NumColumns(s), s);
-  }
-  for (int s = 0; s < num_supernodes(); ++s) {
-    if (NumRows(s) > NumColumns(s)) parent[s] = supernode[Rows(s)[NumColumns(s)]];
+    if (NumRows(s) > NumColumns(s)) parent[s] = supernode_[Rows(s)[NumColumns(s)]];
   }
   return parent;
 }

@@ -31,6 +31,9 @@ class SupernodalTree {
   int NumRows(int s) const { return first_row_[s + 1] - first_row_[s]; }
   int most_rows() const { return most_rows_; }
 
+  /// That of a column.
+  int SupernodeOf(int column) const { return supernode_[column]; }
+
   const std::vector<Group>& groups() const { return groups_; }
 
   /// Its supernodes, increasing.
@@ -54,6 +57,7 @@ class SupernodalTree {
   const int *first_column_, *first_row_, *rows_;
   double work_ = 0;  ///< of all
   int most_rows_ = 0;
+  std::vector<int> supernode_;
   std::vector<bool> in_trunk_;
   std::vector<Group> groups_;
   std::vector<int> trunk_, trunk_columns_, trunk_number_, num_near_;

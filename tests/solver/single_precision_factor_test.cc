@@ -10,6 +10,7 @@
 #include "cirque/solver/cholmod_cholesky.h"
 #include "cirque/solver/reused_factor.h"
 
+#include "tests/solver/analysed_factor.h"
 #include "tests/solver/grid_matrix.h"
 
 namespace cirque {
@@ -116,33 +117,11 @@ TEST(SinglePrecisionFactor, IsNotWhatItsOwnSystemIsSolvedWith) {
 /// The factor of a grid, analysed only.
 class SupernodalTreeTest : public ::testing::Test {
  protected:
-  SupernodalTreeTest() {
-    cholmod_start(&common_);
-    common_.supernodal = CHOLMOD_SUPERNODAL;
-    SparseMatrix lower = GridMatrix(kSide, 1);
-    cholmod_sparse a = {};
-    a.nrow = a.ncol = static_cast<std::size_t>(lower.cols());
-    a.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    a.p = lower.outerIndexPtr();
-    a.i = lower.innerIndexPtr();
-    a.x = lower.valuePtr();
-    a.stype = -1;
-    a.xtype = CHOLMOD_REAL;
-    a.sorted = a.packed = 1;
-    factor_ = cholmod_analyze(&a, &common_);
-    tree_ = std::make_unique<SupernodalTree>(*factor_);
-  }
-
-  ~SupernodalTreeTest() override {
-    cholmod_free_factor(&factor_, &common_);
-    cholmod_finish(&common_);
-  }
-
   /// Of each supernode: the number of its branches among all groups', -1 in the trunk.
   std::vector<int> Places() const {
-    std::vector<int> place(tree_->num_supernodes(), -2);
+    std::vector<int> place(tree_.num_supernodes(), -2);
     int count = 0;
-    for (const auto& group : tree_->groups()) {
+    for (const auto& group : tree_.groups()) {
       for (const auto& branches : group) {
         for (int s = branches.begin; s < branches.end; ++s) {
           EXPECT_EQ(place[s], -2) << "twice";
@@ -151,39 +130,38 @@ class SupernodalTreeTest : public ::testing::Test {
         ++count;
       }
     }
-    for (const int s : tree_->trunk()) place[s] = place[s] == -2 ? -1 : -3;
+    for (const int s : tree_.trunk()) place[s] = place[s] == -2 ? -1 : -3;
     return place;
   }
 
-  cholmod_common common_ = {};
-  cholmod_factor* factor_ = nullptr;
-  std::unique_ptr<SupernodalTree> tree_;
+  AnalysedFactor analysed_{GridMatrix(kSide, 1)};
+  const SupernodalTree tree_{analysed_.factor()};
 };
 
 TEST_F(SupernodalTreeTest, EverySupernodeHasOnePlaceAndBranchesDoNotSeeEachOther) {
   const std::vector<int> place = Places();
-  std::vector<int> place_of_column(factor_->n);
-  for (int s = 0; s < tree_->num_supernodes(); ++s) {
+  std::vector<int> place_of_column(analysed_.factor().n);
+  for (int s = 0; s < tree_.num_supernodes(); ++s) {
     ASSERT_GE(place[s], -1);
-    for (int k = 0; k < tree_->NumColumns(s); ++k) {
-      place_of_column[tree_->FirstColumn(s) + k] = place[s];
+    for (int k = 0; k < tree_.NumColumns(s); ++k) {
+      place_of_column[tree_.FirstColumn(s) + k] = place[s];
     }
   }
-  for (int s = 0; s < tree_->num_supernodes(); ++s) {
-    for (int k = 0; k < tree_->NumRows(s); ++k) {
-      const bool near = k < tree_->NumNear(s);
-      ASSERT_EQ(place_of_column[tree_->Rows(s)[k]], near ? place[s] : -1);
-      ASSERT_EQ(tree_->TrunkNumber(tree_->Rows(s)[k]) >= 0, place[s] == -1 || !near);
+  for (int s = 0; s < tree_.num_supernodes(); ++s) {
+    for (int k = 0; k < tree_.NumRows(s); ++k) {
+      const bool near = k < tree_.NumNear(s);
+      ASSERT_EQ(place_of_column[tree_.Rows(s)[k]], near ? place[s] : -1);
+      ASSERT_EQ(tree_.TrunkNumber(tree_.Rows(s)[k]) >= 0, place[s] == -1 || !near);
     }
   }
 }
 
 TEST_F(SupernodalTreeTest, TheWorkIsDealtOutToManyGroupsAndLittleIsLeftForTheTrunk) {
-  const auto work = [&](int s) { return double(tree_->NumRows(s)) * tree_->NumColumns(s); };
+  const auto work = [&](int s) { return double(tree_.NumRows(s)) * tree_.NumColumns(s); };
   double all = 0, of_trunk = 0, most = 0;
-  for (int s = 0; s < tree_->num_supernodes(); ++s) all += work(s);
-  for (const int s : tree_->trunk()) of_trunk += work(s);
-  for (const auto& group : tree_->groups()) {
+  for (int s = 0; s < tree_.num_supernodes(); ++s) all += work(s);
+  for (const int s : tree_.trunk()) of_trunk += work(s);
+  for (const auto& group : tree_.groups()) {
     double of_group = 0;
     for (const auto& branches : group) {
       for (int s = branches.begin; s < branches.end; ++s) of_group += work(s);

@@ -1,0 +1,151 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/dense_trapezoid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "cirque/core/parallel.h"
+
+extern "C" {
+void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,
+            const int* k, const double* alpha, const double* a, const int* lda, const double* b,
+            const int* ldb, const double* beta, double* c, const int* ldc);
+void dtrsm_(const char* side, const char* uplo, const char* transpose, const char* diagonal,
+            const int* m, const int* n, const double* alpha, const double* a, const int* lda,
+            double* b, const int* ldb);
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+}
+
+namespace cirque {
+namespace {
+
+constexpr int kFewColumns = 8;      ///< up to here our loops are faster than the calls
+constexpr int kFewProducts = 64;    ///< columns times inner ones, likewise
+constexpr int kBlockColumns = 128;  ///< of a factorization in parallel
+constexpr int kBlockRows = 256;
+
+bool FactorFewColumns(const DenseTrapezoid& t) {
+  for (int j = 0; j < t.columns; ++j) {
+    double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    for (int k = 0; k < j; ++k) {
+      const double* before = t.data + static_cast<std::size_t>(k) * t.rows;
+      const double factor = before[j];
+      for (int i = j; i < t.rows; ++i) column[i] -= factor * before[i];
+    }
+    if (!(column[j] > 0)) return false;
+    const double pivot = std::sqrt(column[j]), inverse = 1 / pivot;
+    column[j] = pivot;
+    for (int i = j + 1; i < t.rows; ++i) column[i] *= inverse;
+  }
+  return true;
+}
+
+bool FactorDiagonalBlock(double* block, int columns, int leading_dimension) {
+  int info = 0;
+  dpotrf_("L", &columns, block, &leading_dimension, &info);
+  return info == 0;
+}
+
+/// rows := rows L^-T for `count` rows, L the diagonal block of so many columns.
+void SolveRows(const double* block, int columns, int leading_dimension, int count, double* rows) {
+  const double one = 1;
+  dtrsm_("R", "L", "T", "N", &count, &columns, &one, block, &leading_dimension, rows,
+         &leading_dimension);
+}
+
+/// target -= left right' in a trapezoid of that leading dimension.
+void Subtract(const double* left, const double* right, int leading_dimension, int rows, int columns,
+              int inner, double* target) {
+  const double minus_one = -1, one = 1;
+  dgemm_("N", "T", &rows, &columns, &inner, &minus_one, left, &leading_dimension, right,
+         &leading_dimension, &one, target, &leading_dimension);
+}
+
+/// Blocks of the columns [begin, end) of a trapezoid behind which the rest of the rows is done.
+class BlockColumn {
+ public:
+  BlockColumn(const DenseTrapezoid& t, int begin)
+      : t_(t), begin_(begin), end_(std::min(t.columns, begin + kBlockColumns)) {}
+
+  bool Factor() const {
+    if (!FactorDiagonalBlock(At(begin_, begin_), end_ - begin_, t_.rows)) return false;
+    ForEachRows(end_, [&](int first, int count) {
+      SolveRows(At(begin_, begin_), end_ - begin_, t_.rows, count, At(first, begin_));
+    });
+    return true;
+  }
+
+  /// Takes it out of the columns behind it.
+  void SubtractBehind() const {
+    for (int column = end_; column < t_.columns; column += kBlockColumns) {
+      const int columns = std::min(kBlockColumns, t_.columns - column);
+      ForEachRows(column, [&](int first, int count) {
+        Subtract(At(first, begin_), At(column, begin_), t_.rows, count, columns, end_ - begin_,
+                 At(first, column));
+      });
+    }
+  }
+
+ private:
+  double* At(int row, int column) const {
+    return t_.data + static_cast<std::size_t>(column) * t_.rows + row;
+  }
+
+  /// Calls body(first, count) for blocks of rows from `begin` on, at once.
+  template <class Body>
+  void ForEachRows(int begin, const Body& body) const {
+    const int blocks = (t_.rows - begin + kBlockRows - 1) / kBlockRows;
+    ParallelTasks(blocks, [&](int block) {
+      const int first = begin + block * kBlockRows;
+      body(first, std::min(kBlockRows, t_.rows - first));
+    });
+  }
+
+  const DenseTrapezoid& t_;
+  int begin_, end_;
+};
+
+}  // namespace
+
+bool FactorTrapezoid(const DenseTrapezoid& t) {
+  if (t.columns <= kFewColumns) return FactorFewColumns(t);
+  if (!FactorDiagonalBlock(t.data, t.columns, t.rows)) return false;
+  if (t.rows > t.columns) {
+    SolveRows(t.data, t.columns, t.rows, t.rows - t.columns, t.data + t.columns);
+  }
+  return true;
+}
+
+bool FactorTrapezoidInParallel(const DenseTrapezoid& t) {
+  for (int begin = 0; begin < t.columns; begin += kBlockColumns) {
+    const BlockColumn block(t, begin);
+    if (!block.Factor()) return false;
+    block.SubtractBehind();
+  }
+  return true;
+}
+
+void MultiplyByTransposed(const double* left, const double* right, int leading_dimension, int rows,
+                          int columns, int inner, double* product) {
+  if (columns * inner > kFewProducts) {
+    const double one = 1, zero = 0;
+    dgemm_("N", "T", &rows, &columns, &inner, &one, left, &leading_dimension, right,
+           &leading_dimension, &zero, product, &rows);
+    return;
+  }
+  for (int c = 0; c < columns; ++c) {
+    double* column = product + static_cast<std::size_t>(c) * rows;
+    std::fill_n(column, rows, 0.0);
+    for (int k = 0; k < inner; ++k) {
+      const std::size_t start = static_cast<std::size_t>(k) * leading_dimension;
+      const double factor = right[start + c];
+      for (int r = 0; r < rows; ++r) column[r] += factor * left[start + r];
+    }
+  }
+}
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

@@ -1,0 +1,66 @@
+#pragma once
+
+#ifdef CIRQUE_CHOLMOD
+
+#include <memory>
+#include <vector>
+
+#include <cholmod.h>
+
+#include "cirque/energy/energy.h"
+#include "cirque/solver/supernodal_tree.h"
+
+namespace cirque {
+
+/// Computes the numbers of a supernodal LL' factor that CHOLMOD has analysed, as CHOLMOD does from
+/// one column to the next (left-looking; Y. Chen, T. Davis, W. Hager, S. Rajamanickam, "Algorithm
+/// 887", ACM Trans. Math. Softw. 35, 2008), but on all cores: the branches of the elimination tree
+/// at once, then the supernodes of the trunk one after another, each by blocks of rows. The result
+/// does not depend on the number of threads.
+class SupernodalFactorization {
+ public:
+  /// For matrices with the pattern of `lower`, of which `factor` is the analysis. The factor must
+  /// outlive this.
+  SupernodalFactorization(const SparseMatrix& lower, const cholmod_factor& factor);
+
+  /// Fills the factor's numbers, for which there is memory. False, and the numbers undefined, when
+  /// a pivot is not positive.
+  bool Compute(const SparseMatrix& lower);
+
+  const SupernodalTree& tree() const { return tree_; }
+
+ private:
+  /// Rows begin to end - 1 of supernode d are columns of the one that is at work.
+  struct Descendant {
+    int d, begin, end;
+  };
+  struct Workspace;
+
+  void ListByRows(const SparseMatrix& lower);
+  double* Numbers(int s) const;
+  void TakeDescendants(int s, std::vector<Descendant>* descendants) const;
+  void Fill(const SparseMatrix& lower, int s, int* place) const;
+
+  /// Takes a descendant's product out of the rows of s that are its rows `first` to `last` - 1.
+  void Subtract(const Descendant& of, int s, int first, int last, const int* place,
+                std::vector<double>* product) const;
+  void SubtractInBlocks(int s, const Workspace& work) const;
+
+  /// Has d wait for the supernode of its next row; in `to_trunk`, if given, when that is there.
+  void Pass(int d, int position, std::vector<int>* to_trunk);
+
+  bool FactorInBranch(const SparseMatrix& lower, int s, Workspace* work,
+                      std::vector<int>* to_trunk);
+  bool FactorInTrunk(const SparseMatrix& lower, int s, Workspace* work);
+
+  const cholmod_factor& factor_;
+  const SupernodalTree tree_;
+  std::vector<int> place_in_order_;               ///< per unknown
+  std::vector<int> row_start_, column_, entry_;   ///< the entries of `lower`, row by row
+  std::vector<int> last_waiting_, waits_before_;  ///< per supernode, a list of descendants
+  std::vector<int> position_;  ///< per supernode, how many of its rows are done with
+};
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

@@ -1,0 +1,37 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "tests/solver/analysed_factor.h"
+
+#include <utility>
+
+namespace cirque {
+
+AnalysedFactor::AnalysedFactor(SparseMatrix lower) : lower_(std::move(lower)) {
+  cholmod_start(&common_);
+  common_.supernodal = CHOLMOD_SUPERNODAL;
+  common_.final_ll = 1;
+  view_.nrow = view_.ncol = static_cast<std::size_t>(lower_.cols());
+  view_.nzmax = static_cast<std::size_t>(lower_.nonZeros());
+  view_.p = lower_.outerIndexPtr();
+  view_.i = lower_.innerIndexPtr();
+  view_.x = lower_.valuePtr();
+  view_.stype = -1;
+  view_.xtype = CHOLMOD_REAL;
+  view_.sorted = view_.packed = 1;
+  factor_ = cholmod_analyze(&view_, &common_);
+}
+
+AnalysedFactor::~AnalysedFactor() {
+  cholmod_free_factor(&factor_, &common_);
+  cholmod_finish(&common_);
+}
+
+void AnalysedFactor::FactorizeByCholmod() { cholmod_factorize(&view_, factor_, &common_); }
+
+void AnalysedFactor::AllocateNumbers() {
+  cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_, &common_);
+}
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

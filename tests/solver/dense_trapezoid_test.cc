@@ -1,0 +1,66 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/dense_trapezoid.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace cirque {
+namespace {
+
+using Eigen::MatrixXd;
+
+using Factor = bool (*)(const DenseTrapezoid&);
+
+/// Rows and columns of trapezoids on both sides of every change of method.
+class DenseTrapezoidTest : public ::testing::TestWithParam<std::pair<int, int>> {
+ protected:
+  DenseTrapezoidTest() {
+    const MatrixXd a = MatrixXd::Random(rows_, rows_);
+    matrix_ = a * a.transpose() + MatrixXd::Identity(rows_, rows_);
+  }
+
+  /// The factor's columns by Eigen.
+  MatrixXd Wanted() const { return MatrixXd(matrix_.llt().matrixL()).leftCols(columns_); }
+
+  const int rows_ = GetParam().first, columns_ = GetParam().second;
+  MatrixXd matrix_;
+};
+
+TEST_P(DenseTrapezoidTest, HasTheNumbersOfTheFactor) {
+  for (const Factor factor : {Factor(FactorTrapezoid), Factor(FactorTrapezoidInParallel)}) {
+    MatrixXd numbers = matrix_.leftCols(columns_);
+    ASSERT_TRUE(factor({numbers.data(), rows_, columns_}));
+    const MatrixXd lower = numbers.triangularView<Eigen::Lower>();
+    EXPECT_LT((lower - Wanted()).norm(), 1e-11 * Wanted().norm());
+  }
+}
+
+TEST_P(DenseTrapezoidTest, RefusesAPivotThatIsNotPositive) {
+  matrix_(columns_ - 1, columns_ - 1) = -1;
+  for (const Factor factor : {Factor(FactorTrapezoid), Factor(FactorTrapezoidInParallel)}) {
+    MatrixXd numbers = matrix_.leftCols(columns_);
+    EXPECT_FALSE(factor({numbers.data(), rows_, columns_}));
+  }
+}
+
+TEST_P(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {
+  const int rows = rows_ - 1, columns = std::min(columns_, rows);
+  MatrixXd product = MatrixXd::Constant(rows, columns, 7);
+  MultiplyByTransposed(matrix_.data() + 1, matrix_.data(), rows_, rows, columns, columns_,
+                       product.data());
+  const MatrixXd wanted =
+      matrix_.block(1, 0, rows, columns_) * matrix_.block(0, 0, columns, columns_).transpose();
+  EXPECT_LT((product - wanted).norm(), 1e-13 * wanted.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DenseTrapezoidTest,
+                         ::testing::Values(std::pair(2, 1), std::pair(9, 8), std::pair(20, 8),
+                                           std::pair(20, 9), std::pair(9, 9), std::pair(130, 128),
+                                           std::pair(129, 129), std::pair(300, 140),
+                                           std::pair(600, 300)));
+
+}  // namespace
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

@@ -1,0 +1,82 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/supernodal_factorization.h"
+
+#include <gtest/gtest.h>
+
+#include "cirque/core/parallel.h"
+
+#include "tests/solver/analysed_factor.h"
+#include "tests/solver/grid_matrix.h"
+
+namespace cirque {
+namespace {
+
+constexpr int kSide = 150;
+
+/// All stored numbers of the lower trapezoids, supernode by supernode.
+Eigen::VectorXd Numbers(const cholmod_factor& factor) {
+  const SupernodalTree tree(factor);
+  std::vector<double> numbers;
+  for (int s = 0; s < tree.num_supernodes(); ++s) {
+    const double* start =
+        static_cast<const double*>(factor.x) + static_cast<const int*>(factor.px)[s];
+    for (int j = 0; j < tree.NumColumns(s); ++j) {
+      const double* column = start + static_cast<std::size_t>(j) * tree.NumRows(s);
+      numbers.insert(numbers.end(), column + j, column + tree.NumRows(s));
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
+class SupernodalFactorizationTest : public ::testing::Test {
+ protected:
+  SupernodalFactorizationTest() { ours_.AllocateNumbers(); }
+
+  const SparseMatrix lower_ = GridMatrix(kSide, 0.1, 0.5);
+  AnalysedFactor ours_{lower_};
+  SupernodalFactorization factorization_{lower_, ours_.factor()};
+};
+
+TEST_F(SupernodalFactorizationTest, GivesTheNumbersOfCholmod) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  AnalysedFactor cholmods(lower_);
+  cholmods.FactorizeByCholmod();
+  const Eigen::VectorXd ours = Numbers(ours_.factor()), wanted = Numbers(cholmods.factor());
+  EXPECT_GT(factorization_.tree().trunk().size(), 5U);
+  EXPECT_GT(wanted.norm(), 100);
+  EXPECT_LT((ours - wanted).lpNorm<Eigen::Infinity>(), 1e-13 * wanted.lpNorm<Eigen::Infinity>());
+}
+
+TEST_F(SupernodalFactorizationTest, DoesNotDependOnTheNumberOfThreads) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  const Eigen::VectorXd numbers = Numbers(ours_.factor());
+  const ThreadLimit limit(1);
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  EXPECT_EQ(Numbers(ours_.factor()), numbers);
+}
+
+TEST_F(SupernodalFactorizationTest, TakesOtherNumbersInTheSamePattern) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  const Eigen::VectorXd numbers = Numbers(ours_.factor());
+  ASSERT_TRUE(factorization_.Compute(4 * lower_));
+  EXPECT_LT((Numbers(ours_.factor()) - 2 * numbers).norm(), 1e-14 * numbers.norm());
+}
+
+// A single negative entry is met in its branch, a negative sum of all only by the last pivot.
+TEST_F(SupernodalFactorizationTest, RefusesWhatIsNotPositiveDefiniteInBranchesAndInTheTrunk) {
+  SparseMatrix negative = lower_;
+  const auto& groups = factorization_.tree().groups();
+  const int column = factorization_.tree().FirstColumn(groups[3].front().begin);
+  const int unknown = static_cast<const int*>(ours_.factor().Perm)[column];
+  negative.coeffRef(unknown, unknown) = -1;
+  EXPECT_FALSE(factorization_.Compute(negative));
+  EXPECT_FALSE(factorization_.Compute(GridMatrix(kSide, -1e-5)));
+  EXPECT_TRUE(factorization_.Compute(lower_));
+}
+
+}  // namespace
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD
