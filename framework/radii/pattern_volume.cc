@@ -20,80 +20,93 @@ constexpr double kOvershoot =
 constexpr double kTolerance = 1e-2;     ///< of the change of the multipliers
 constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 
-/// The interior edges' angles and the Newton step that moves them.
+/// The corner angles and the Newton step that moves them.
 class Volume {
  public:
   Volume(const Triangulation& t, const CoherentAngles& angles, const DualLaplacian& laplacian)
-      : num_faces_(t.num_faces()), laplacian_(laplacian) {
-    edges_.reserve(t.num_edges());
-    for (const Index h : t.edge_halfedge) {
-      const Index g = t.twin[h];
-      if (g == kNone) continue;
-      edges_.push_back({h, g, Triangulation::Face(h), Triangulation::Face(g), angles.value[h],
-                        angles.value[g], 0, 0, 0});
-    }
-  }
+      : t_(t), laplacian_(laplacian), phi_(angles.value) {}
 
   /// The normal equations of the least-squares problem at the present angles.
-  void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) {
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_), force = weight;
-    ForEachEdge([&](Edge& e) {
-      const double sin_i = std::sin(e.phi_i), sin_j = std::sin(e.phi_j);
-      e.weight = sin_i * sin_j / std::sin(e.phi_i + e.phi_j);
-      e.log_ratio = std::log(sin_j / sin_i);
-      weight[e.h] = weight[e.g] = e.weight;
-      force[e.h] = e.weight * e.log_ratio;
-      force[e.g] = -force[e.h];
+  void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) const {
+    Eigen::VectorXd weight(t_.num_halfedges()), force(t_.num_halfedges());
+    ParallelFor(t_.num_edges(), [&](Index e) {
+      const Index h = t_.edge_halfedge[e], g = t_.twin[h];
+      const Spring spring = SpringOf(e);
+      weight[h] = spring.weight;
+      force[h] = spring.weight * spring.log_ratio;
+      if (g == kNone) return;
+      weight[g] = weight[h];
+      force[g] = -force[h];
     });
-    right_side->resize(num_faces_);
-    ParallelFor(num_faces_, [&](int f) { (*right_side)[f] = force.segment<3>(3 * f).sum(); });
+    right_side->resize(t_.num_faces());
+    ParallelFor(t_.num_faces(), [&](Index f) { (*right_side)[f] = force.segment<3>(3 * f).sum(); });
     laplacian_.Assemble(weight, lower);
   }
 
   /// Moves the angles along the step that these multipliers give, as far as they stay positive and
   /// V rises.
   void Step(const Eigen::VectorXd& rho) {
-    double t = 1;
-    for (Edge& e : edges_) {
-      e.step = e.weight * (e.log_ratio - (rho[e.i] - rho[e.j]));
-      t = std::min({t, LongestStep(e.phi_i, e.step), LongestStep(e.phi_j, -e.step)});
-    }
-    const double slope = SlopeAt(0);
-    for (int i = 0; i < kMaxHalvings && SlopeAt(t) < -kOvershoot * slope; ++i) t *= 0.5;
-    ForEachEdge([t](Edge& e) {
-      e.phi_i += t * e.step;
-      e.phi_j -= t * e.step;
+    Eigen::VectorXd step(t_.num_edges());
+    std::vector<double> longest(NumBlocks(t_.num_edges()), 1);
+    ForEachBlock(t_.num_edges(), [&](int block, Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) {
+        step[e] = StepOf(e, rho);
+        longest[block] = std::min(longest[block], LongestStep(e, step[e]));
+      }
+    });
+    double t = *std::min_element(longest.begin(), longest.end());
+    const double slope = SlopeAt(0, step);
+    for (int i = 0; i < kMaxHalvings && SlopeAt(t, step) < -kOvershoot * slope; ++i) t *= 0.5;
+    ParallelFor(t_.num_edges(), [&](Index e) {
+      if (!IsInterior(e)) return;
+      phi_[Left(e)] += t * step[e];
+      phi_[Right(e)] -= t * step[e];
     });
   }
 
  private:
-  struct Edge {
-    Index h, g;           ///< its halfedges
-    int i, j;             ///< the faces left of them
-    double phi_i, phi_j;  ///< their corner angles opposite it [rad]
-    double weight, log_ratio, step;
+  /// How an interior edge couples its faces; all 0 on the boundary.
+  struct Spring {
+    double weight = 0, log_ratio = 0;
   };
 
-  static double LongestStep(double angle, double step) {
-    return step < 0 ? -(1 - kKeptShare) * angle / step : std::numeric_limits<double>::infinity();
+  Index Left(Index e) const { return t_.edge_halfedge[e]; }
+  Index Right(Index e) const { return t_.twin[Left(e)]; }
+  bool IsInterior(Index e) const { return Right(e) != kNone; }
+
+  Spring SpringOf(Index e) const {
+    if (!IsInterior(e)) return {};
+    const double phi_i = phi_[Left(e)], phi_j = phi_[Right(e)];
+    const double sin_i = std::sin(phi_i), sin_j = std::sin(phi_j);
+    return {sin_i * sin_j / std::sin(phi_i + phi_j), std::log(sin_j / sin_i)};
+  }
+
+  double StepOf(Index e, const Eigen::VectorXd& rho) const {
+    if (!IsInterior(e)) return 0;
+    const Spring spring = SpringOf(e);
+    const double difference =
+        rho[Triangulation::Face(Left(e))] - rho[Triangulation::Face(Right(e))];
+    return spring.weight * (spring.log_ratio - difference);
+  }
+
+  /// Up to where both angles keep their share.
+  double LongestStep(Index e, double step) const {
+    if (step == 0) return std::numeric_limits<double>::infinity();
+    return (1 - kKeptShare) * phi_[step < 0 ? Left(e) : Right(e)] / std::abs(step);
   }
 
   /// dV/dt after a share t of the step.
-  double SlopeAt(double t) const {
-    return ParallelSum(static_cast<int>(edges_.size()), [&](int k) {
-      const Edge& e = edges_[k];
-      return e.step * std::log(std::sin(e.phi_j - t * e.step) / std::sin(e.phi_i + t * e.step));
+  double SlopeAt(double t, const Eigen::VectorXd& step) const {
+    return ParallelSum(t_.num_edges(), [&](Index e) {
+      if (!IsInterior(e)) return 0.0;
+      return step[e] * std::log(std::sin(phi_[Right(e)] - t * step[e]) /
+                                std::sin(phi_[Left(e)] + t * step[e]));
     });
   }
 
-  template <class Body>
-  void ForEachEdge(const Body& body) {
-    ParallelFor(static_cast<int>(edges_.size()), [&](int k) { body(edges_[k]); });
-  }
-
-  int num_faces_;
+  const Triangulation& t_;
   const DualLaplacian& laplacian_;
-  std::vector<Edge> edges_;
+  Eigen::VectorXd phi_;  ///< per halfedge, the corner angle opposite it [rad]
 };
 
 }  // namespace
@@ -111,10 +124,10 @@ SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles&
   for (int i = 0; i < kMaxIterations; ++i) {
     volume.Linearize(&lower, &right_side);
     // The multipliers change less and less: solve for their change.
-    const SparseMatrix& matrix = shift.Apply(lower);
+    shift.Regularize(&lower);
     Eigen::VectorXd change;
-    const Eigen::VectorXd missing = right_side - matrix.selfadjointView<Eigen::Lower>() * *rho;
-    if (!solver->Solve(matrix, missing, {kTolerance}, &change, &summary)) break;
+    const Eigen::VectorXd missing = right_side - lower.selfadjointView<Eigen::Lower>() * *rho;
+    if (!solver->Solve(lower, missing, {kTolerance}, &change, &summary)) break;
     *rho += change;
     energy.Gradient(rho->data(), gradient.data());
     const double now = gradient.lpNorm<Eigen::Infinity>();

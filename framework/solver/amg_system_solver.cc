@@ -41,14 +41,13 @@ class AmgSystemSolver::Reduced final : public SparseCholesky {
   bool converged() const { return converged_; }
   const std::string& error() const { return error_; }  ///< of the library; empty: none
 
-  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
+    x->setZero(b.size());
     const bool reused = has_hierarchy_;
-    const int most = reused ? IterationsWorthTrying(right_side.norm()) : options_.max_cg_iterations;
-    if (!reused && !SetUp()) return x;
-    if (!Iterate(right_side, most, &x) || converged_ || !reused) return x;
-    if (SetUp()) Iterate(right_side, options_.max_cg_iterations, &x);
-    return x;
+    const int most = reused ? IterationsWorthTrying(b.norm()) : options_.max_cg_iterations;
+    if (!reused && !SetUp()) return;
+    if (!Iterate(b, most, x) || converged_ || !reused) return;
+    if (SetUp()) Iterate(b, options_.max_cg_iterations, x);
   }
 
  protected:
@@ -171,17 +170,18 @@ bool AmgSystemSolver::Eliminate(const SparseMatrix& lower, double target, SolveS
 
 bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                                 double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
-  const LocalSmoother smoother(lower, near_diagonal_);
+  LocalSmoother smoother(lower, near_diagonal_);
   bool cycled = true;
-  const auto solve = [&](const Eigen::VectorXd& b) {
+  const auto solve = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
     reduced_->Prepare(kInnerTolerance * b.norm(), summary);
-    Eigen::VectorXd of_near = elimination_->Solve(b);
+    elimination_->Solve(b, of_b);
     cycled = cycled && reduced_->converged();
-    return of_near;
   };
-  const CgResult cg = ConjugateGradients(
-      lower, right_side, [&](const Eigen::VectorXd& b) { return smoother.Apply(b, solve); },
-      tolerance, max_cg_iterations_, x);
+  const auto precondition = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
+    smoother.Apply(b, solve, of_b);
+  };
+  const CgResult cg =
+      ConjugateGradients(lower, right_side, precondition, tolerance, max_cg_iterations_, x);
   return (cycled && cg.converged && x->allFinite()) || Fail();
 }
 

@@ -73,13 +73,12 @@ class CholmodCholesky final : public SparseCholesky {
   CholmodCholesky(const CholmodCholesky&) = delete;
   CholmodCholesky& operator=(const CholmodCholesky&) = delete;
 
-  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
-    if (rounded_) return rounded_->Solve(right_side);
-    cholmod_dense b = View(right_side);
-    cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &workspace_,
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
+    if (rounded_) return rounded_->Solve(b, x);
+    cholmod_dense right_side = View(b);
+    cholmod_solve2(CHOLMOD_A, factor_, &right_side, nullptr, &solution_, nullptr, &workspace_,
                    &second_workspace_, &common_);
-    return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x),
-                                             right_side.size());
+    *x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
   }
 
   void Expect(int unknowns) override {

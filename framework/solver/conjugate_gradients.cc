@@ -39,19 +39,18 @@ void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::
 
 }  // namespace
 
-CgResult ConjugateGradients(
-    const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition, double tolerance,
-    int max_iterations, Eigen::VectorXd* x) {
+CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                            const Preconditioner& precondition, double tolerance,
+                            int max_iterations, Eigen::VectorXd* x) {
   CgResult result;
   x->setZero(right_side.size());
   Eigen::VectorXd residual = right_side;
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(right_side.size()), image = direction;
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(right_side.size()), image = direction, z;
   const double start = Norm(residual), target = tolerance * start;
   double now = start, last_rho = 1, last_step = 0;
   while (!(result.converged = now <= target) &&
          MayFinish(start, now, target, result.iterations, max_iterations)) {
-    const Eigen::VectorXd z = precondition(residual);
+    precondition(residual, &z);
     const double rho = Dot(residual, z);
     // Residuals differ by the step's share of the image.
     Combine(1, z, -last_step * Dot(image, z) / last_rho, &direction);

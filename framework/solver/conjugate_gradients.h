@@ -8,6 +8,9 @@
 
 namespace cirque {
 
+/// An approximate inverse: x for a right side b, in the memory that x has. b is not x.
+using Preconditioner = std::function<void(const Eigen::VectorXd& b, Eigen::VectorXd* x)>;
+
 /// What a run of conjugate gradients achieved.
 struct CgResult {
   int iterations = 0;
@@ -15,14 +18,13 @@ struct CgResult {
   bool positive = true;    ///< no direction of non-positive curvature was met
 };
 
-/// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle, the
-/// preconditioner as a function that applies an approximate inverse (Hestenes & Stiefel 1952; Saad,
-/// Iterative methods, alg. 9.1). That may vary a little from one iteration to the next, as an
-/// iterative solve of its own does (flexible: Notay, SIAM J. Sci. Comput. 22, 2000). Gives up early
-/// where the residual falls too slowly to reach its target within max_iterations.
-CgResult ConjugateGradients(
-    const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& precondition, double tolerance,
-    int max_iterations, Eigen::VectorXd* x);
+/// Solves A x = b by preconditioned conjugate gradients from x = 0, A by its lower triangle
+/// (Hestenes & Stiefel 1952; Saad, Iterative methods, alg. 9.1). The preconditioner may vary a
+/// little from one iteration to the next, as an iterative solve of its own does (flexible: Notay,
+/// SIAM J. Sci. Comput. 22, 2000). Gives up early where the residual falls too slowly to reach its
+/// target within max_iterations.
+CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                            const Preconditioner& precondition, double tolerance,
+                            int max_iterations, Eigen::VectorXd* x);
 
 }  // namespace cirque

@@ -7,9 +7,7 @@ namespace {
 
 class EigenCholesky final : public SparseCholesky {
  public:
-  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
-    return factor_.solve(right_side);
-  }
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override { *x = factor_.solve(b); }
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {

@@ -56,26 +56,26 @@ class EliminatingCholesky final : public SparseCholesky {
  public:
   explicit EliminatingCholesky(std::unique_ptr<SparseCholesky> inner) : inner_(std::move(inner)) {}
 
-  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) override {
-    Eigen::VectorXd reduced(NumKept());
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
+    reduced_.resize(NumKept());
     ParallelFor(NumKept(), [&](int j) {
-      double sum = right_side[kept_[j]];
+      double sum = b[kept_[j]];
       for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
-        if (coupling_[k].other < 0)
-          sum -= scaled_[k] * right_side[eliminated_[~coupling_[k].other].unknown];
+        if (coupling_[k].other < 0) {
+          sum -= scaled_[k] * b[eliminated_[~coupling_[k].other].unknown];
+        }
       }
-      reduced[j] = sum;
+      reduced_[j] = sum;
     });
-    const Eigen::VectorXd of_kept = kept_.empty() ? reduced : inner_->Solve(reduced);
-    Eigen::VectorXd x(right_side.size());
-    ParallelFor(NumKept(), [&](int j) { x[kept_[j]] = of_kept[j]; });
+    if (!kept_.empty()) inner_->Solve(reduced_, &of_kept_);
+    x->resize(b.size());
+    ParallelFor(NumKept(), [&](int j) { (*x)[kept_[j]] = of_kept_[j]; });
     ParallelFor(static_cast<int>(eliminated_.size()), [&](int k) {
       const Eliminated& e = eliminated_[k];
-      double rest = right_side[e.unknown];
-      for (int n = 0; n < e.count; ++n) rest -= numbers_[k].coupling[n] * of_kept[e.kept[n]];
-      x[e.unknown] = rest * numbers_[k].inverse;
+      double rest = b[e.unknown];
+      for (int n = 0; n < e.count; ++n) rest -= numbers_[k].coupling[n] * of_kept_[e.kept[n]];
+      (*x)[e.unknown] = rest * numbers_[k].inverse;
     });
-    return x;
   }
 
   void Expect(int unknowns) override { inner_->Expect(static_cast<int>(kLeastKept * unknowns)); }
@@ -260,6 +260,7 @@ class EliminatingCholesky final : public SparseCholesky {
   std::vector<Coupling> coupling_;
   std::vector<double> scaled_;  ///< to eliminated ones: the entry over the eliminated's diagonal
   SparseMatrix complement_;
+  Eigen::VectorXd reduced_, of_kept_;  ///< a right side and its solution
 };
 
 }  // namespace

@@ -21,13 +21,14 @@ class InexactDirection {
   bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
                   Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
+    shift->Regularize(&hessian_);
     const double goal = run_->gradient_tolerance() / gradient.lpNorm<Eigen::Infinity>();
     const SolveAccuracy accuracy = {Forcing(gradient.norm(), goal), goal};
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const bool solved =
-          solver_->Solve(shift->Apply(hessian_), -gradient, accuracy, direction, &run_->summary());
+          solver_->Solve(hessian_, -gradient, accuracy, direction, &run_->summary());
       if (solved && direction->dot(gradient) < 0) return true;
-      if (!shift->Raise()) return false;
+      if (!shift->Raise(&hessian_)) return false;
     }
     return false;
   }

@@ -108,27 +108,27 @@ void LocalSmoother::Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) c
   (*x)[rows_[k]] = rest / diagonal_[k];
 }
 
-Eigen::VectorXd LocalSmoother::Apply(
-    const Eigen::VectorXd& b,
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve) const {
-  if (rows_.empty()) return solve(b);
-  Eigen::VectorXd near = Eigen::VectorXd::Zero(b.size());
+void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
+                          Eigen::VectorXd* x) {
+  if (rows_.empty()) return solve(b, x);
+  if (near_.size() != b.size()) near_.setZero(b.size());
+  for (const int j : rows_) near_[j] = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (int k = 0; k < num_rows(); ++k) Relax(k, b, &near);
+    for (int k = 0; k < num_rows(); ++k) Relax(k, b, &near_);
   }
-  Eigen::VectorXd left = b;
+  left_.resize(b.size());
+  ParallelFor(static_cast<int>(b.size()), [&](int j) { left_[j] = b[j]; });
   for (int k = 0; k < num_rows(); ++k) {
-    left[rows_[k]] -= diagonal_[k] * near[rows_[k]];
+    left_[rows_[k]] -= diagonal_[k] * near_[rows_[k]];
     for (int p = first_[k]; p < first_[k + 1]; ++p) {
-      left[entries_[p].column] -= entries_[p].value * near[rows_[k]];
+      left_[entries_[p].column] -= entries_[p].value * near_[rows_[k]];
     }
   }
-  Eigen::VectorXd x = solve(left);
-  for (const int j : rows_) x[j] += near[j];
+  solve(left_, x);
+  for (const int j : rows_) (*x)[j] += near_[j];
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (int k = num_rows(); k-- > 0;) Relax(k, b, &x);
+    for (int k = num_rows(); k-- > 0;) Relax(k, b, x);
   }
-  return x;
 }
 
 }  // namespace cirque

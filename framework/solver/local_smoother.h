@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "cirque/energy/energy.h"
+#include "cirque/solver/conjugate_gradients.h"
 
 namespace cirque {
 
@@ -20,9 +20,8 @@ class LocalSmoother {
   /// nothing, where no diagonal entry changed much or so many did that local work would not help.
   LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before);
 
-  /// An approximation of A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
-  Eigen::VectorXd Apply(const Eigen::VectorXd& b,
-                        const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve) const;
+  /// x approximates A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
+  void Apply(const Eigen::VectorXd& b, const Preconditioner& solve, Eigen::VectorXd* x);
 
   int num_rows() const { return static_cast<int>(rows_.size()); }
 
@@ -41,6 +40,7 @@ class LocalSmoother {
   std::vector<int> first_;  ///< per row, where its entries off the diagonal begin
   std::vector<Entry> entries_;
   std::vector<double> diagonal_;
+  Eigen::VectorXd near_, left_;  ///< what the first sweeps give, 0 beyond the rows; what they leave
 };
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cirque/core/parallel.h"
 #include "cirque/energy/energy.h"
 
 namespace cirque {
@@ -11,9 +12,14 @@ inline double DiagonalEntry(const SparseMatrix& lower, int j) {
   return lower.valuePtr()[lower.outerIndexPtr()[j]];
 }
 
+inline double& DiagonalEntry(SparseMatrix* lower, int j) {
+  return lower->valuePtr()[lower->outerIndexPtr()[j]];
+}
+
 inline Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
   Eigen::VectorXd diagonal(lower.cols());
-  for (int j = 0; j < lower.cols(); ++j) diagonal[j] = DiagonalEntry(lower, j);
+  ParallelFor(static_cast<int>(lower.cols()),
+              [&](int j) { diagonal[j] = DiagonalEntry(lower, j); });
   return diagonal;
 }
 

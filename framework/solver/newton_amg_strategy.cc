@@ -32,7 +32,8 @@ SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveContro
   AmgSystemSolver own(options_);
   SystemSolver* solver = control.system_solver ? control.system_solver : &own;
   if (SparseMatrix smooth; !control.system_solver && energy.SmoothHessian(x->data(), &smooth)) {
-    own.ExpectSystemsNear(HessianShift(energy).Apply(smooth), &run.summary());
+    HessianShift(energy).Regularize(&smooth);
+    own.ExpectSystemsNear(smooth, &run.summary());
   }
   IterateInexactNewton(options_.forcing, solver, &run, x);
   SolveSummary summary = run.Finish(*x);

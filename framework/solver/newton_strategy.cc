@@ -18,12 +18,13 @@ class CholeskyDirection {
   bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
                   Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
+    shift->Regularize(&hessian_);
     for (int attempt = 0; attempt < kMaxShiftsPerStep; ++attempt) {
-      if (run_->Factorize(shift->Apply(hessian_), cholesky_)) {
+      if (run_->Factorize(hessian_, cholesky_)) {
         *direction = -run_->Solve(gradient, cholesky_);
         if (direction->allFinite() && direction->dot(gradient) < 0) return true;
       }
-      if (!shift->Raise()) return false;
+      if (!shift->Raise(&hessian_)) return false;
     }
     return false;
   }

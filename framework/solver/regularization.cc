@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "cirque/core/parallel.h"
+#include "cirque/solver/lower_triangle.h"
+
 namespace cirque {
 namespace {
 
@@ -13,22 +16,22 @@ constexpr double kShortStep = 0.01, kFullStep = 0.99;
 HessianShift::HessianShift(const Energy& energy)
     : least_(energy.LeastHessianShift()), gauge_(energy.GaugeParameters()), shift_(least_) {}
 
-const SparseMatrix& HessianShift::Apply(const SparseMatrix& lower) {
-  regularized_ = lower;
-  const int n = static_cast<int>(lower.cols());
-  double trace = 0;
-  for (int j = 0; j < n; ++j) {
-    // The lower triangle of a column of a compressed symmetric matrix begins with its diagonal.
-    double& diagonal = regularized_.valuePtr()[regularized_.outerIndexPtr()[j]];
-    trace += diagonal;
-    diagonal += shift_;
-  }
-  scale_ = n > 0 ? trace / n : 1;
-  for (const int g : gauge_) {
-    double& diagonal = regularized_.valuePtr()[regularized_.outerIndexPtr()[g]];
-    diagonal += diagonal;
-  }
-  return regularized_;
+void HessianShift::Regularize(SparseMatrix* hessian) {
+  diagonal_ = Diagonal(*hessian);
+  scale_ = diagonal_.size() > 0 ? diagonal_.mean() : 1;
+  Apply(hessian);
+}
+
+void HessianShift::Apply(SparseMatrix* hessian) const {
+  ParallelFor(static_cast<int>(diagonal_.size()),
+              [&](int j) { DiagonalEntry(hessian, j) = diagonal_[j] + shift_; });
+  for (const int g : gauge_) DiagonalEntry(hessian, g) *= 2;
+}
+
+bool HessianShift::Raise(SparseMatrix* hessian) {
+  if (!Raise()) return false;
+  Apply(hessian);
+  return true;
 }
 
 bool HessianShift::Raise() {

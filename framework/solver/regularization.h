@@ -14,12 +14,15 @@ class HessianShift {
  public:
   explicit HessianShift(const Energy& energy);
 
-  /// The regularised matrix.
-  const SparseMatrix& Apply(const SparseMatrix& lower);
+  /// Regularises a Hessian where it is.
+  void Regularize(SparseMatrix* hessian);
 
   /// Raises the shift 100-fold, to at least 1e-5 of the mean diagonal. False when it is as high as
   /// makes sense.
   bool Raise();
+
+  /// The same, and regularises the last Hessian anew.
+  bool Raise(SparseMatrix* hessian);
 
   /// Lowers the shift after a full step, raises it after one below 1/100.
   void Adapt(double step_length);
@@ -27,11 +30,13 @@ class HessianShift {
   double shift() const { return shift_; }
 
  private:
+  void Apply(SparseMatrix* hessian) const;
+
   const double least_;
   const std::vector<int> gauge_;
   double shift_;
-  double scale_ = 1;  ///< mean diagonal entry of the last Hessian
-  SparseMatrix regularized_;
+  double scale_ = 1;          ///< mean diagonal entry of the last Hessian
+  Eigen::VectorXd diagonal_;  ///< of the last Hessian as it was
 };
 
 }  // namespace cirque

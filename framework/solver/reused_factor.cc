@@ -54,11 +54,15 @@ bool ReusedFactor::IterateOnFactor(const SparseMatrix& lower, const Eigen::Vecto
                                    double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
   if (!has_factor_) return false;
   const Timer timer;
-  const LocalSmoother smoother(lower, factored_diagonal_);
-  const auto solve = [this](const Eigen::VectorXd& b) { return cholesky_->Solve(b); };
-  const CgResult cg = ConjugateGradients(
-      lower, right_side, [&](const Eigen::VectorXd& b) { return smoother.Apply(b, solve); },
-      tolerance, max_cg_iterations_, x);
+  LocalSmoother smoother(lower, factored_diagonal_);
+  const auto solve = [this](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
+    cholesky_->Solve(b, of_b);
+  };
+  const auto precondition = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
+    smoother.Apply(b, solve, of_b);
+  };
+  const CgResult cg =
+      ConjugateGradients(lower, right_side, precondition, tolerance, max_cg_iterations_, x);
   iterations_a_decade_ = cg.iterations / std::max(kLeastDecades, -std::log10(tolerance));
   summary->cg_iterations += cg.iterations;
   summary->linear_solves += cg.iterations;

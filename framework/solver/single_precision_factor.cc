@@ -27,10 +27,11 @@ std::unique_ptr<SinglePrecisionFactor> SinglePrecisionFactor::Round(const cholmo
 }
 
 SinglePrecisionFactor::SinglePrecisionFactor(const cholmod_factor& factor)
-    : factor_(factor), tree_(factor), start_(1, 0) {
+    : factor_(factor), tree_(factor), start_(1, 0), x_(factor.n), far_(tree_.groups().size()) {
   for (int s = 0; s < tree_.num_supernodes(); ++s) {
     start_.push_back(start_.back() + TilesOf(tree_, s).Size());
   }
+  work_.assign(far_.size(), Eigen::VectorXd(SupernodeTiles(tree_.most_rows(), 0).NumPadded()));
 }
 
 const double* SinglePrecisionFactor::Doubles(int s) const {
@@ -96,50 +97,42 @@ void SinglePrecisionFactor::Backward(int s, double* x, Eigen::VectorXd* work) co
   std::copy_n(w, columns, x + tree_.FirstColumn(s));
 }
 
-void SinglePrecisionFactor::ForwardAll(Eigen::VectorXd* x) const {
+void SinglePrecisionFactor::ForwardAll() {
   const auto& trunk_columns = tree_.trunk_columns();
-  const int work_size = SupernodeTiles(tree_.most_rows(), 0).NumPadded();
-  std::vector<Eigen::VectorXd> far(tree_.groups().size());
-  ParallelTasks(static_cast<int>(far.size()), [&](int g) {
-    far[g].setZero(trunk_columns.size());
-    Eigen::VectorXd work(work_size);
+  ParallelTasks(static_cast<int>(far_.size()), [&](int g) {
+    far_[g].setZero(trunk_columns.size());
     for (const auto& branches : tree_.groups()[g]) {
       for (int s = branches.begin; s < branches.end; ++s) {
-        Forward(s, x->data(), far[g].data(), &work);
+        Forward(s, x_.data(), far_[g].data(), &work_[g]);
       }
     }
   });
-  for (const Eigen::VectorXd& of_group : far) {
-    for (std::size_t k = 0; k < trunk_columns.size(); ++k) (*x)[trunk_columns[k]] += of_group[k];
+  for (const Eigen::VectorXd& of_group : far_) {
+    for (std::size_t k = 0; k < trunk_columns.size(); ++k) x_[trunk_columns[k]] += of_group[k];
   }
-  Eigen::VectorXd work(work_size);
-  for (const int s : tree_.trunk()) Forward(s, x->data(), nullptr, &work);
+  for (const int s : tree_.trunk()) Forward(s, x_.data(), nullptr, &work_.front());
 }
 
-void SinglePrecisionFactor::BackwardAll(Eigen::VectorXd* x) const {
-  const int work_size = SupernodeTiles(tree_.most_rows(), 0).NumPadded();
-  Eigen::VectorXd work_of_trunk(work_size);
+void SinglePrecisionFactor::BackwardAll() {
   for (auto s = tree_.trunk().rbegin(); s != tree_.trunk().rend(); ++s) {
-    Backward(*s, x->data(), &work_of_trunk);
+    Backward(*s, x_.data(), &work_.front());
   }
-  ParallelTasks(static_cast<int>(tree_.groups().size()), [&](int g) {
-    Eigen::VectorXd work(work_size);
+  ParallelTasks(static_cast<int>(work_.size()), [&](int g) {
     const auto& group = tree_.groups()[g];
     for (auto branches = group.rbegin(); branches != group.rend(); ++branches) {
-      for (int s = branches->end; s-- > branches->begin;) Backward(s, x->data(), &work);
+      for (int s = branches->end; s-- > branches->begin;) Backward(s, x_.data(), &work_[g]);
     }
   });
 }
 
-Eigen::VectorXd SinglePrecisionFactor::Solve(const Eigen::VectorXd& right_side) const {
+void SinglePrecisionFactor::Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) {
   const int n = static_cast<int>(factor_.n);
   const int* order = static_cast<const int*>(factor_.Perm);
-  Eigen::VectorXd x(n), solution(n);
-  ParallelFor(n, [&](int k) { x[k] = right_side[order[k]]; });
-  ForwardAll(&x);
-  BackwardAll(&x);
-  ParallelFor(n, [&](int k) { solution[order[k]] = x[k]; });
-  return solution;
+  ParallelFor(n, [&](int k) { x_[k] = b[order[k]]; });
+  ForwardAll();
+  BackwardAll();
+  x->resize(n);
+  ParallelFor(n, [&](int k) { (*x)[order[k]] = x_[k]; });
 }
 
 }  // namespace cirque

@@ -29,7 +29,7 @@ class SinglePrecisionFactor {
   std::size_t NumBytes() const { return start_.back() * sizeof(float); }
 
   /// x = (L~ L~')^-1 b with L~ the rounded factor, in its unknowns' order before CHOLMOD's.
-  Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) const;
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x);
 
  private:
   explicit SinglePrecisionFactor(const cholmod_factor& factor);
@@ -47,12 +47,14 @@ class SinglePrecisionFactor {
   void Forward(int s, double* x, double* far, Eigen::VectorXd* work) const;
   void Backward(int s, double* x, Eigen::VectorXd* work) const;
 
-  void ForwardAll(Eigen::VectorXd* x) const;
-  void BackwardAll(Eigen::VectorXd* x) const;
+  void ForwardAll();
+  void BackwardAll();
 
   const cholmod_factor& factor_;
   const SupernodalTree tree_;
-  std::vector<std::size_t> start_;  ///< per supernode, where its numbers begin
+  std::vector<std::size_t> start_;           ///< per supernode, where its numbers begin
+  Eigen::VectorXd x_;                        ///< in CHOLMOD's order
+  std::vector<Eigen::VectorXd> far_, work_;  ///< per group: of the trunk's columns, of a supernode
 };
 
 }  // namespace cirque

@@ -27,8 +27,15 @@ class SparseCholesky {
   /// what the caller does.
   virtual void Expect(int unknowns) { static_cast<void>(unknowns); }
 
-  /// x = A^-1 b with the last factor. @pre Factorize returned true.
-  virtual Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) = 0;
+  /// x = A^-1 b with the last factor, in the memory that x has: on large meshes fresh pages cost as
+  /// much as a solve. b is not x. @pre Factorize returned true.
+  virtual void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) = 0;
+
+  Eigen::VectorXd Solve(const Eigen::VectorXd& b) {
+    Eigen::VectorXd x;
+    Solve(b, &x);
+    return x;
+  }
 
   /// Until the next factorization Solve() may be right to six digits only: enough for a
   /// preconditioner, and faster.

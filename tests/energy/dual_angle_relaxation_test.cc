@@ -28,7 +28,8 @@ EnergyPoint AfterNewtonStep(const Energy& energy) {
   SparseMatrix hessian;
   EXPECT_TRUE(energy.Hessian(start.x.data(), &hessian));
   const auto cholesky = MakeCholesky();
-  EXPECT_TRUE(cholesky->Factorize(HessianShift(energy).Apply(hessian)));
+  HessianShift(energy).Regularize(&hessian);
+  EXPECT_TRUE(cholesky->Factorize(hessian));
   return PointAt(energy, -cholesky->Solve(start.gradient));
 }
 

@@ -22,7 +22,7 @@ namespace {
 class DenseCholesky final : public SparseCholesky {
  public:
   explicit DenseCholesky(int* size) : size_(*size) {}
-  Eigen::VectorXd Solve(const Eigen::VectorXd& b) override { return factor_.solve(b); }
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override { *x = factor_.solve(b); }
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {
@@ -84,7 +84,7 @@ class AdvisedCholesky final : public SparseCholesky {
  public:
   explicit AdvisedCholesky(std::vector<int>* advice)
       : advice_(*advice), inner_((*LinearSolvers().Find("eigen"))()) {}
-  Eigen::VectorXd Solve(const Eigen::VectorXd& b) override { return inner_->Solve(b); }
+  void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override { inner_->Solve(b, x); }
   std::vector<int> Ordering() const override { return order_; }
   void SuggestOrdering(std::vector<int> order) override { advice_ = std::move(order); }
 

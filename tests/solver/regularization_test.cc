@@ -75,7 +75,8 @@ TEST(HessianShift, StepLeavesTheGaugeParameterAlone) {
   SparseMatrix lower;
   energy.Hessian(x.data(), &lower);
   const auto cholesky = MakeCholesky();
-  ASSERT_TRUE(cholesky->Factorize(shift.Apply(lower)));
+  shift.Regularize(&lower);
+  ASSERT_TRUE(cholesky->Factorize(lower));
   const Eigen::VectorXd step = -cholesky->Solve(gradient);
   EXPECT_NEAR(step[2], 0, 1e-14);
   EXPECT_GT(step.norm(), 0.1);
@@ -106,6 +107,22 @@ TEST(HessianShift, SingularSemiSmoothHessiansAreNoObstacle) {
     EXPECT_NEAR(x[0], 1, 1e-10);
     EXPECT_EQ(x[1], 0.5);
   }
+}
+
+// Raising it again and again leaves no trace of the smaller shifts.
+TEST(HessianShift, IsRaisedOnTheHessianAsItWas) {
+  const ChainEnergy energy(5);
+  SparseMatrix lower;
+  energy.Hessian(Eigen::VectorXd::Random(5).eval().data(), &lower);
+  const SparseMatrix before = lower;
+  HessianShift shift(energy);
+  shift.Regularize(&lower);
+  while (shift.shift() < 1e3) ASSERT_TRUE(shift.Raise(&lower));
+  for (int i = 0; i < 5; ++i) {
+    const double wanted = before.coeff(i, i) + shift.shift();
+    EXPECT_EQ(lower.coeff(i, i), i == 2 ? 2 * wanted : wanted);
+  }
+  EXPECT_EQ(lower.coeff(1, 0), before.coeff(1, 0));
 }
 
 TEST(HessianShift, RaisesOnShortStepsAndLowersAfterFullOnes) {
