@@ -16,6 +16,7 @@ constexpr double kSafety =
     1e-9;  ///< share of sum |terms| that the margin must exceed: far above rounding, so
            ///< that the exact check is asked only what it will confirm
 constexpr int kMaxCarriers = 50;
+constexpr double kStays = 1e-2;  ///< a step of this share of the multipliers runs nowhere
 
 /// max of p a + q b over the triangle with corners (eps, eps), (1 - 2 eps, eps), (eps, 1 - 2 eps).
 double SupportOfTriangle(double p, double q, double eps) {
@@ -149,9 +150,11 @@ InfeasibilityProof ProofFrom(const AngleConstraints& constraints, const Eigen::V
 bool InfeasibilityWatch::Found(const Eigen::VectorXd& y) {
   if (!proof_.empty()) return true;
   if (margin_ < 0) return false;
-  proof_ = ProveInfeasible(constraints_, margin_, y);
-  if (proof_.empty() && previous_.size() == y.size()) {
-    proof_ = ProveInfeasible(constraints_, margin_, y - previous_);
+  const bool first = previous_.size() != y.size();
+  const Eigen::VectorXd step = first ? y : y - previous_;
+  if (step.lpNorm<Eigen::Infinity>() > kStays * y.lpNorm<Eigen::Infinity>()) {
+    proof_ = ProveInfeasible(constraints_, margin_, y);
+    if (proof_.empty() && !first) proof_ = ProveInfeasible(constraints_, margin_, step);
   }
   previous_ = y;
   return !proof_.empty();

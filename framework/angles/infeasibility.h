@@ -25,7 +25,8 @@ InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double e
 InfeasibilityProof ProofFrom(const AngleConstraints& constraints, const Eigen::VectorXd& y);
 
 /// Watches a fit's multipliers for a proof of infeasibility: where no coherent angles exist they
-/// run off along one, so both the iterate and its last step are candidates.
+/// run off along one, so both the iterate and its last step are candidates, but where that hardly
+/// moved.
 class InfeasibilityWatch {
  public:
   /// `margin` of Q_e; negative: there are no inequalities, nothing can be proven.

@@ -2,6 +2,8 @@
 
 #include <glog/logging.h>
 
+#include "cirque/core/parallel.h"
+
 namespace cirque {
 
 AngleConstraints::AngleConstraints(const Triangulation& t, const ConeTargets& targets)
@@ -22,12 +24,17 @@ AngleConstraints::AngleConstraints(const Triangulation& t, const ConeTargets& ta
   }
 }
 
-Eigen::VectorXd AngleConstraints::Apply(const Eigen::VectorXd& alpha) const {
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(num_rows());
+void AngleConstraints::Apply(const Eigen::VectorXd& alpha, Eigen::Ref<Eigen::VectorXd> sums) const {
+  ParallelFor(num_faces_, [&](Index f) { sums[f] = alpha.segment<3>(3 * f).sum(); });
+  sums.tail(num_rows() - num_faces_).setZero();
   for (Index h = 0; h < triangulation_.num_halfedges(); ++h) {
-    sums[Triangulation::Face(h)] += alpha[h];
-    if (VertexRow(h) != kNone) sums[VertexRow(h)] += alpha[h];
+    if (const int row = VertexRow(h); row != kNone) sums[row] += alpha[h];
   }
+}
+
+Eigen::VectorXd AngleConstraints::Apply(const Eigen::VectorXd& alpha) const {
+  Eigen::VectorXd sums(num_rows());
+  Apply(alpha, sums);
   return sums;
 }
 

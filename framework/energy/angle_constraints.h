@@ -34,7 +34,8 @@ class AngleConstraints {
   double Lower(int row) const { return lower_[row]; }
   double Upper(int row) const { return upper_[row]; }
 
-  /// A alpha.
+  /// A alpha; into `sums`, of as many rows.
+  void Apply(const Eigen::VectorXd& alpha, Eigen::Ref<Eigen::VectorXd> sums) const;
   Eigen::VectorXd Apply(const Eigen::VectorXd& alpha) const;
 
   /// True when some vertex sum may range over an interval.

@@ -55,8 +55,8 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
   *value = sum - ParallelSum(rows, [&](int row) { return target(row) * y[row]; });
   if (gradient) {
     Eigen::Map<Eigen::VectorXd> of_row(gradient, rows);
-    of_row = constraints_.Apply(alpha);
-    for (int row = 0; row < rows; ++row) gradient[row] -= target(row);
+    constraints_.Apply(alpha, of_row);
+    ParallelFor(rows, [&](int row) { of_row[row] -= target(row); });
   }
   return std::isfinite(*value);
 }

@@ -11,24 +11,26 @@ constexpr double kRounding = 1e-13;  ///< of an energy value, relative
 
 }  // namespace
 
-LineSearchResult SearchAlongKinks(const Kinks& kinks, const Eigen::VectorXd& x,
-                                  const Eigen::VectorXd& subgradient,
-                                  const Eigen::VectorXd& direction, SolveRun* run) {
+void SearchAlongKinks(const Kinks& kinks, const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& subgradient, const Eigen::VectorXd& direction,
+                      SolveRun* run, LineSearchResult* result) {
   double start = 0;
-  if (!run->Value(x.data(), &start, nullptr)) return {};
+  result->found = false;
+  if (!run->Value(x.data(), &start, nullptr)) return;
   const double rounding = kRounding * (1 + std::abs(start));
   double t = 1;
-  for (int trial = 0; trial < kMaxTrials; ++trial, t *= kCut) {
-    LineSearchResult point{true, t, x + t * direction, {}};
-    kinks.StopAt(x, subgradient, &point.x);
+  for (int trial = 0; trial < kMaxTrials && !result->found; ++trial, t *= kCut) {
+    result->step_length = t;
+    result->x = x + t * direction;
+    kinks.StopAt(x, subgradient, &result->x);
     double value = 0;
-    if (!run->Value(point.x.data(), &value, &point.gradient)) continue;
-    const double expected = kArmijo * subgradient.dot(point.x - x);
-    if (expected < 0 && value - start <= expected - rounding) return point;
+    if (!run->Value(result->x.data(), &value, &result->gradient)) continue;
+    const double expected = kArmijo * subgradient.dot(result->x - x);
+    const bool enough = expected < 0 && value - start <= expected - rounding;
     const bool fell = value - start <= rounding;
-    if (fell && point.gradient.norm() <= kGradientFall * subgradient.norm()) return point;
+    result->found =
+        enough || (fell && result->gradient.norm() <= kGradientFall * subgradient.norm());
   }
-  return {};
 }
 
 }  // namespace cirque

@@ -1,7 +1,6 @@
 #include "cirque/solver/line_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cirque {
@@ -24,29 +23,28 @@ class Search {
         largest0_(gradient.lpNorm<Eigen::Infinity>()),
         low_slope_(slope0_) {}
 
-  LineSearchResult Run() {
+  void Run(LineSearchResult* point) {
     double t = 1;
     for (int trial = 0; trial < kMaxTrials; ++trial) {
-      LineSearchResult point;
-      if (!EvaluateAt(t, &point)) {
+      if (!EvaluateAt(t, point)) {
         high_ = t;
         t = low_ + 0.5 * (t - low_);
         continue;
       }
-      const double slope = point.gradient.dot(direction_);
+      const double slope = point->gradient.dot(direction_);
       if (slope <= 0) {
         const bool too_short = high_ == kNoBound && slope < kUnchangedSlope * slope0_;
+        if (!too_short) return;
         low_ = t, low_slope_ = slope;
-        best_ = std::move(point);
-        if (!too_short) return best_;
+        std::swap(best_, *point);
         t *= 2;
       } else {
-        if (AcceptableOvershoot(slope, point)) return point;
-        if (best_.found) return best_;
+        if (AcceptableOvershoot(slope, *point)) return;
+        if (best_.found) break;
         t = Cut(t, slope);
       }
     }
-    return best_;
+    std::swap(best_, *point);
   }
 
  private:
@@ -85,9 +83,9 @@ class Search {
 
 }  // namespace
 
-LineSearchResult SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-                             const Eigen::VectorXd& direction, SolveRun* run) {
-  return Search(x, gradient, direction, run).Run();
+void SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                 const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result) {
+  Search(x, gradient, direction, run).Run(result);
 }
 
 }  // namespace cirque

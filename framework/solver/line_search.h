@@ -20,8 +20,9 @@ struct LineSearchResult {
 ///   g(t).p <= 1/2 |g(0).p| and |g(t)| <= 0.9 |g(0)|   (overshot, but clearly nearer to the
 ///   minimum).
 /// A step after which the slope hardly changed is doubled; one that overshot is cut by safeguarded
-/// secants; one that left the domain is halved. @pre g(0).p < 0.
-LineSearchResult SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-                             const Eigen::VectorXd& direction, SolveRun* run);
+/// secants; one that left the domain is halved. The memory of `result` is used again.
+/// @pre g(0).p < 0.
+void SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                 const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result);
 
 }  // namespace cirque

@@ -64,11 +64,12 @@ void SolveRun::Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
   for (int i = 0; i < kRelaxations && kinks_.empty(); ++i) {
     const double before = gradient->lpNorm<Eigen::Infinity>();
     if (before <= limits_.gradient_tolerance) break;
-    Eigen::VectorXd relaxed = *x, relaxed_gradient = *gradient;
-    if (!energy_.Relax(kRelaxedShare, relaxed.data(), relaxed_gradient.data())) break;
-    if (!(relaxed_gradient.lpNorm<Eigen::Infinity>() < before)) break;
-    x->swap(relaxed);
-    gradient->swap(relaxed_gradient);
+    relaxed_ = *x;
+    relaxed_gradient_ = *gradient;
+    if (!energy_.Relax(kRelaxedShare, relaxed_.data(), relaxed_gradient_.data())) break;
+    if (!(relaxed_gradient_.lpNorm<Eigen::Infinity>() < before)) break;
+    x->swap(relaxed_);
+    gradient->swap(relaxed_gradient_);
   }
   summary_.evaluation_seconds += timer.Seconds();
 }

@@ -67,6 +67,7 @@ class SolveRun {
   const SolveControl& control_;
   const Energy& energy_;
   const Kinks kinks_;
+  Eigen::VectorXd relaxed_, relaxed_gradient_;
   Timer timer_;
   SolveSummary summary_;
   double least_gradient_ = std::numeric_limits<double>::infinity();

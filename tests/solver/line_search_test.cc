@@ -35,7 +35,8 @@ Outcome Search(const std::function<bool(double, double*)>& slope, double x, doub
   const Eigen::VectorXd start = Eigen::VectorXd::Constant(1, x);
   Eigen::VectorXd gradient(1);
   EXPECT_TRUE(slope(x, gradient.data()));
-  const LineSearchResult step = SearchAlong(start, gradient, Eigen::VectorXd::Constant(1, p), &run);
+  LineSearchResult step;
+  SearchAlong(start, gradient, Eigen::VectorXd::Constant(1, p), &run, &step);
   return {step, run.summary().gradient_evaluations};
 }
 
