@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -21,26 +22,37 @@ Status Failure(const std::string& path, const char* action) {
 }
 
 /// Writes to `temporary` on the way to `path`, which failures name.
-Status WriteAll(const std::string& temporary, const std::string& path, std::string_view content) {
+Status WriteAll(const std::string& temporary, const std::string& path,
+                std::span<const std::string_view> pieces) {
   std::unique_ptr<std::FILE, CloseFile> file(std::fopen(temporary.c_str(), "wb"));
   if (!file) return Failure(path, "open for writing");
-  if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size() ||
-      std::fflush(file.get()) != 0) {
-    return Failure(path, "write");
+  for (const std::string_view piece : pieces) {
+    if (std::fwrite(piece.data(), 1, piece.size(), file.get()) != piece.size()) {
+      return Failure(path, "write");
+    }
   }
-  return Status();
+  return std::fflush(file.get()) == 0 ? Status() : Failure(path, "write");
 }
 
-}  // namespace
-
-Status WriteFileAtomically(const std::string& path, std::string_view content) {
+Status WriteAndRename(const std::string& path, std::span<const std::string_view> pieces) {
   const std::string temporary = fmt::format("{}.tmp.{}", path, getpid());
-  Status status = WriteAll(temporary, path, content);
+  Status status = WriteAll(temporary, path, pieces);
   if (status.ok() && std::rename(temporary.c_str(), path.c_str()) != 0) {
     status = Failure(path, "replace");
   }
   if (!status.ok()) std::remove(temporary.c_str());
   return status;
+}
+
+}  // namespace
+
+Status WriteFileAtomically(const std::string& path, std::string_view content) {
+  return WriteAndRename(path, {&content, 1});
+}
+
+Status WriteFileAtomically(const std::string& path, const TextPieces& content) {
+  const std::vector<std::string_view> pieces(content.begin(), content.end());
+  return WriteAndRename(path, pieces);
 }
 
 }  // namespace cirque

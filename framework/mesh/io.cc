@@ -24,7 +24,7 @@ namespace {
 
 struct MeshFormat {
   StatusOr<PolygonSoup> (*parse)(const std::string& path, std::string_view content);
-  std::string (*format)(const PolygonSoup& mesh);  ///< null: only read
+  TextPieces (*format)(const PolygonSoup& mesh);  ///< null: only read
   bool holds_texture;                              ///< whether `format` writes UVs
 };
 

@@ -9,10 +9,10 @@ namespace {
 
 template <class Point>
 void WritePoints(const char* keyword, const std::vector<Point>& points, TextWriter* out) {
-  for (const Point& point : points) {
-    out->Text(keyword);
-    out->PointLine(point);
-  }
+  out->Lines(static_cast<int>(points.size()), [&](int i, TextWriter* line) {
+    line->Text(keyword);
+    line->PointLine(points[i]);
+  });
 }
 
 void WriteCorner(const PolygonSoup& mesh, Index corner, TextWriter* out) {
@@ -25,18 +25,18 @@ void WriteCorner(const PolygonSoup& mesh, Index corner, TextWriter* out) {
 
 }  // namespace
 
-std::string FormatObj(const PolygonSoup& mesh) {
+TextPieces FormatObj(const PolygonSoup& mesh) {
   TextWriter out;
   WritePoints("v ", mesh.position, &out);
   WritePoints("vt ", mesh.texture, &out);
-  for (Index p = 0; p < mesh.num_polygons(); ++p) {
-    out.Text("f");
+  out.Lines(mesh.num_polygons(), [&](int p, TextWriter* line) {
+    line->Text("f");
     for (Index c = mesh.first_corner[p]; c < mesh.first_corner[p + 1]; ++c) {
-      WriteCorner(mesh, c, &out);
+      WriteCorner(mesh, c, line);
     }
-    out.Text("\n");
-  }
-  return std::move(out).Take();
+    line->Text("\n");
+  });
+  return std::move(out).TakePieces();
 }
 
 }  // namespace cirque

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <string>
-
+#include "cirque/core/atomic_file.h"
 #include "cirque/mesh/polygon_soup.h"
 
 namespace cirque {
 
 /// The mesh as Wavefront OBJ: its v lines, its vt lines, then `f v` or `f v/vt`, all in the soup's
 /// order.
-std::string FormatObj(const PolygonSoup& mesh);
+TextPieces FormatObj(const PolygonSoup& mesh);
 
 }  // namespace cirque

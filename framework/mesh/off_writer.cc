@@ -6,7 +6,7 @@
 
 namespace cirque {
 
-std::string FormatOff(const PolygonSoup& mesh) {
+TextPieces FormatOff(const PolygonSoup& mesh) {
   TextWriter out;
   out.Text("OFF\n");
   out.Number(mesh.position.size());
@@ -14,7 +14,7 @@ std::string FormatOff(const PolygonSoup& mesh) {
   out.Number(mesh.num_polygons());
   out.Text(" 0\n");
   WritePointsAndPolygons(mesh, &out);
-  return std::move(out).Take();
+  return std::move(out).TakePieces();
 }
 
 }  // namespace cirque

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-
+#include "cirque/core/atomic_file.h"
 #include "cirque/mesh/polygon_soup.h"
 
 namespace cirque {
 
 /// The mesh as text OFF, without texture coordinates.
-std::string FormatOff(const PolygonSoup& mesh);
+TextPieces FormatOff(const PolygonSoup& mesh);
 
 }  // namespace cirque

@@ -18,7 +18,7 @@ Index MostCorners(const PolygonSoup& mesh) {
 
 }  // namespace
 
-std::string FormatPly(const PolygonSoup& mesh) {
+TextPieces FormatPly(const PolygonSoup& mesh) {
   TextWriter out;
   out.Text("ply\nformat ascii 1.0\nelement vertex ");
   out.Number(mesh.position.size());
@@ -28,7 +28,7 @@ std::string FormatPly(const PolygonSoup& mesh) {
   out.Text(MostCorners(mesh) < 256 ? "\nproperty list uchar int vertex_indices\nend_header\n"
                                    : "\nproperty list int int vertex_indices\nend_header\n");
   WritePointsAndPolygons(mesh, &out);
-  return std::move(out).Take();
+  return std::move(out).TakePieces();
 }
 
 }  // namespace cirque

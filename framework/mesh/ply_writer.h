@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-
+#include "cirque/core/atomic_file.h"
 #include "cirque/mesh/polygon_soup.h"
 
 namespace cirque {
 
 /// The mesh as text PLY with double coordinates, without texture coordinates.
-std::string FormatPly(const PolygonSoup& mesh);
+TextPieces FormatPly(const PolygonSoup& mesh);
 
 }  // namespace cirque

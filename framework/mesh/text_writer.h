@@ -5,11 +5,13 @@
 #include <string_view>
 #include <utility>
 
+#include "cirque/core/atomic_file.h"
+#include "cirque/core/parallel.h"
 #include "cirque/mesh/polygon_soup.h"
 
 namespace cirque {
 
-/// Text in one growing buffer, numbers in the fewest digits that read back to the same bits.
+/// Text in growing buffers, numbers in the fewest digits that read back to the same bits.
 class TextWriter {
  public:
   void Text(std::string_view text) { text_ += text; }
@@ -30,9 +32,35 @@ class TextWriter {
     text_ += '\n';
   }
 
+  /// What write(i, out) writes for every i in [0, n), on all cores.
+  template <class Write>
+  void Lines(int n, const Write& write) {
+    EndPiece();
+    const std::size_t first = pieces_.size();
+    pieces_.resize(first + NumBlocks(n));
+    ForEachBlock(n, [&](int block, int begin, int end) {
+      TextWriter out;
+      for (int i = begin; i < end; ++i) write(i, &out);
+      pieces_[first + block] = std::move(out).Take();
+    });
+  }
+
+  /// All of it, of which Lines() wrote nothing.
   std::string Take() && { return std::move(text_); }
 
+  /// All of it, in pieces one after another.
+  TextPieces TakePieces() && {
+    EndPiece();
+    return std::move(pieces_);
+  }
+
  private:
+  void EndPiece() {
+    if (!text_.empty()) pieces_.push_back(std::move(text_));
+    text_.clear();
+  }
+
+  TextPieces pieces_;
   std::string text_;
 };
 

@@ -49,9 +49,12 @@ std::vector<Eigen::Vector3d> WildPoints(int count) {
   return points;
 }
 
+// Long enough to be written in several pieces.
 TEST_P(MeshFile, RoundTripKeepsEveryBit) {
-  PolygonSoup written =
-      testing::MakeSoup(WildPoints(1000), {{0, 1, 2}, {3, 2, 1, 0}, {999, 4, 5, 6, 7}, {2, 1, 0}});
+  constexpr int kPoints = 20000;
+  std::vector<std::vector<Index>> polygons = {{3, 2, 1, 0}, {999, 4, 5, 6, 7}, {2, 1, 0}};
+  for (Index i = 2; i < kPoints; ++i) polygons.push_back({i, i - 1, i - 2});
+  const PolygonSoup written = testing::MakeSoup(WildPoints(kPoints), polygons);
   ASSERT_TRUE(WriteMesh(Path(GetParam()), written).ok());
   const StatusOr<PolygonSoup> read = ReadMesh(Path(GetParam()));
   ASSERT_TRUE(read.ok()) << read.status().message();
