@@ -32,6 +32,7 @@ void NameFan(const std::vector<Index>& twin, Index corner, Index name, std::vect
 
 Triangulation CutOpen(const Triangulation& t, const Cut& cut) {
   CHECK_EQ(static_cast<Index>(cut.edge.size()), t.num_edges());
+  if (cut.IsEmpty()) return t;
   std::vector<Index> twin = t.twin;
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     if (cut.edge[t.edge[h]]) twin[h] = kNone;

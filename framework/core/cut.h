@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "cirque/core/triangulation.h"
@@ -10,6 +11,9 @@ namespace cirque {
 /// has no meaning: they are open already.
 struct Cut {
   std::vector<bool> edge;  ///< per edge of the Triangulation: opened
+
+  /// Whether no edge is opened.
+  bool IsEmpty() const { return std::find(edge.begin(), edge.end(), true) == edge.end(); }
 };
 
 /// The surface opened along the cut: a Triangulation with the same faces, corners and halfedges,

@@ -15,18 +15,22 @@ class SpanningForest {
  public:
   SpanningForest(const Triangulation& t, const EdgeLengths& lengths) {
     std::vector<std::pair<double, Index>> order(t.num_edges());
-    ParallelFor(t.num_edges(), [&](Index e) { order[e] = {lengths.value[e], e}; });
+    std::vector<std::pair<Index, Index>> ends(t.num_edges());
+    ParallelFor(t.num_edges(), [&](Index e) {
+      const Index h = t.edge_halfedge[e];
+      order[e] = {lengths.value[e], e};
+      ends[e] = {t.Tail(h), t.Tip(h)};
+    });
     ParallelSort(&order);
     DisjointSets sets(t.num_vertices);
-    for (const auto& [length, e] : order) {
-      const Index a = t.Tail(t.edge_halfedge[e]), b = t.Tip(t.edge_halfedge[e]);
-      if (sets.Find(a) == sets.Find(b)) continue;
-      sets.Unite(a, b);
-      edges_.push_back(e);
-    }
+    edges_.reserve(t.num_vertices);
     std::vector<Index> end;
-    for (const Index e : edges_) {
-      end.insert(end.end(), {t.Tail(t.edge_halfedge[e]), t.Tip(t.edge_halfedge[e])});
+    end.reserve(2 * t.num_vertices);
+    for (const auto& [length, e] : order) {
+      const auto [a, b] = ends[e];
+      if (!sets.Unite(a, b)) continue;
+      edges_.push_back(e);
+      end.insert(end.end(), {a, b});
     }
     ends_at_ = SortIntoBuckets(end, t.num_vertices);
   }
@@ -49,11 +53,13 @@ class SpanningForest {
 class Placement {
  public:
   explicit Placement(const OpenSurface& open)
-      : open_(open),
-        t_(open.triangulation),
+      : t_(open.triangulation),
         forest_(t_, open.lengths),
+        wanted_(t_.num_edges()),
         position_(t_.num_vertices, Eigen::Vector2d::Zero()),
-        placed_(t_.num_vertices, false) {}
+        placed_(t_.num_vertices, false) {
+    ParallelFor(t_.num_edges(), [&](Index e) { wanted_[e] = open.Wanted(t_.edge_halfedge[e]); });
+  }
 
   std::vector<Eigen::Vector2d> Place() {
     for (const Index e : forest_.edges()) {
@@ -75,15 +81,15 @@ class Placement {
         const Index w = forward ? t_.Tip(h) : t_.Tail(h);
         if (placed_[w]) return;
         placed_[w] = true;
-        position_[w] = position_[v] + (forward ? 1 : -1) * open_.Wanted(h);
+        position_[w] = position_[v] + (forward ? 1 : -1) * wanted_[e];
         queue.push_back(w);
       });
     }
   }
 
-  const OpenSurface& open_;
   const Triangulation& t_;
   SpanningForest forest_;
+  std::vector<Eigen::Vector2d> wanted_;  ///< per edge, along its halfedge
   std::vector<Eigen::Vector2d> position_;
   std::vector<bool> placed_;
 };

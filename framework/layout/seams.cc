@@ -109,6 +109,7 @@ double ConeMismatch(const Triangulation& t, const std::vector<Seam>& seams,
 
 std::vector<Seam> TraceSeams(const Triangulation& t, const Cut& cut,
                              const std::vector<Index>& cones) {
+  if (cut.IsEmpty()) return {};
   const std::vector<bool> node = Nodes(t, cut, cones);
   std::vector<bool> traced(t.num_edges(), false);
   std::vector<Seam> seams;
@@ -133,9 +134,10 @@ SeamReport MeasureSeams(const Triangulation& t, const Cut& cut, const std::vecto
                         const CornerAngles& flat_angles, const CornerUv& uv) {
   SeamReport report;
   report.seams = TraceSeams(t, cut, cones);
+  if (report.seams.empty()) return report;
   const SeamMeter meter(t, uv);
   for (Seam& seam : report.seams) meter.Measure(&seam, &report);
-  if (!report.seams.empty()) report.max_gap /= Diameter(uv);
+  report.max_gap /= Diameter(uv);
   report.max_cone_mismatch = ConeMismatch(t, report.seams, flat_angles);
   return report;
 }

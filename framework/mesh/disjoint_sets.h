@@ -18,11 +18,13 @@ class DisjointSets {
     return i;
   }
 
-  void Unite(Index i, Index j) {
+  /// False when they were one set before.
+  bool Unite(Index i, Index j) {
     i = Find(i);
     j = Find(j);
     if (i < j) std::swap(i, j);
     parent_[i] = j;
+    return i != j;
   }
 
  private:

@@ -66,7 +66,8 @@ class FaceMeter {
       : t_(faces.triangulation),
         lengths_(faces.lengths),
         uv_(faces.uv),
-        angles_(angles ? *angles : MeasureCornerAngles(t_, lengths_)),
+        own_(angles ? CornerAngles() : MeasureCornerAngles(t_, lengths_)),
+        angles_(angles ? *angles : own_),
         length_unit_(UnitNear(lengths_.value.size() > 0 ? lengths_.value.maxCoeff() : 0)),
         image_unit_(UnitNear(LongestImageEdge(uv_))) {}
 
@@ -103,7 +104,8 @@ class FaceMeter {
   const Triangulation& t_;
   const EdgeLengths& lengths_;
   const CornerUv& uv_;
-  const CornerAngles angles_;
+  const CornerAngles own_;
+  const CornerAngles& angles_;
   const double length_unit_, image_unit_;
 };
 
@@ -116,16 +118,26 @@ void Resize(Index size, MappedFaces* faces) {
   faces->image_angle.conservativeResize(3, size);
 }
 
-void Append(Index f, const FaceMeasure& m, MappedFaces* faces) {
+void Put(const FaceMeasure& m, Index f, MappedFaces* faces) {
+  faces->area[f] = m.area;
+  faces->image_area[f] = m.image_area;
+  faces->sigma_max[f] = m.sigma_max;
+  faces->sigma_min[f] = m.sigma_min;
+  faces->angle.col(f) = m.angle;
+  faces->image_angle.col(f) = m.image_angle;
+}
+
+/// Moves what is known of face f to the end of the list, which is not beyond it.
+void Append(Index f, bool flipped, MappedFaces* faces) {
   const Index i = faces->num_faces();
   faces->face.push_back(f);
-  faces->flipped.push_back(m.flipped);
-  faces->area[i] = m.area;
-  faces->image_area[i] = m.image_area;
-  faces->sigma_max[i] = m.sigma_max;
-  faces->sigma_min[i] = m.sigma_min;
-  faces->angle.col(i) = m.angle;
-  faces->image_angle.col(i) = m.image_angle;
+  faces->flipped.push_back(flipped);
+  faces->area[i] = faces->area[f];
+  faces->image_area[i] = faces->image_area[f];
+  faces->sigma_max[i] = faces->sigma_max[f];
+  faces->sigma_min[i] = faces->sigma_min[f];
+  faces->angle.col(i) = faces->angle.col(f);
+  faces->image_angle.col(i) = faces->image_angle.col(f);
 }
 
 }  // namespace
@@ -136,10 +148,16 @@ MappedFaces MeasureFaces(const Triangulation& t, const EdgeLengths& lengths, con
   MappedFaces faces{.triangulation = t, .lengths = lengths, .uv = uv};
   const FaceMeter meter(faces, angles);
   Resize(t.num_faces(), &faces);
-  std::vector<FaceMeasure> measures(t.num_faces());
-  ParallelFor(t.num_faces(), [&](Index f) { measures[f] = meter.Measure(f); });
+  std::vector<char> measurable(t.num_faces()), flipped(t.num_faces());
+  ParallelFor(t.num_faces(), [&](Index f) {
+    const FaceMeasure measure = meter.Measure(f);
+    measurable[f] = measure.IsMeasurable();
+    flipped[f] = measure.flipped;
+    Put(measure, f, &faces);
+  });
+  faces.face.reserve(t.num_faces());
   for (Index f = 0; f < t.num_faces(); ++f) {
-    if (measures[f].IsMeasurable()) Append(f, measures[f], &faces);
+    if (measurable[f]) Append(f, flipped[f], &faces);
   }
   Resize(faces.num_faces(), &faces);
   const double size = std::sqrt(faces.area.sum()), image_size = std::sqrt(faces.image_area.sum());

@@ -60,8 +60,8 @@ StatusOr<Eigen::VectorXd> CutCosts(const Triangulation& t, const EdgeLengths& le
   return Eigen::VectorXd(costs->cwiseProduct(*factors));
 }
 
-double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths,
-                         const std::vector<bool>& cut_edge) {
+double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths, const Cut& cut) {
+  if (cut.IsEmpty()) return 0;
   const CornerAngles angles = MeasureCornerAngles(t, lengths);
   double area = 0, length = 0;
   for (Index f = 0; f < t.num_faces(); ++f) {
@@ -69,7 +69,7 @@ double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths,
             std::sin(angles.value[3 * f + 2]);
   }
   for (Index e = 0; e < t.num_edges(); ++e) {
-    if (cut_edge[e] && !t.IsBoundaryEdge(e)) length += lengths.value[e];
+    if (cut.edge[e] && !t.IsBoundaryEdge(e)) length += lengths.value[e];
   }
   return length / std::sqrt(area);
 }

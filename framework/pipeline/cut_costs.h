@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
@@ -32,6 +33,6 @@ std::vector<std::string> CutCostWords();
 
 /// The length of the cut on the surface, over the square root of the surface's area.
 double RelativeCutLength(const Triangulation& triangulation, const EdgeLengths& lengths,
-                         const std::vector<bool>& cut_edge);
+                         const Cut& cut);
 
 }  // namespace cirque

@@ -106,7 +106,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
   certificate.values.merge(
       std::map<std::string, double>{{"cones", static_cast<double>(cones.size())},
-                                    {"cut_length", RelativeCutLength(t, job.lengths, cut->edge)},
+                                    {"cut_length", RelativeCutLength(t, job.lengths, *cut)},
                                     {"patches", static_cast<double>(layout.patches.count)},
                                     {"seams", static_cast<double>(seams.seams.size())},
                                     {"seam_length_mismatch", seams.max_length_mismatch},
@@ -156,7 +156,7 @@ Status FreeSeams(const Job& job, Parameterization* result) {
   }
   auto& values = result->certificate.values;
   values["cones"] = static_cast<double>(cones.size());
-  values["cut_length"] = RelativeCutLength(job.t, job.lengths, cut->edge);
+  values["cut_length"] = RelativeCutLength(job.t, job.lengths, *cut);
   result->cut = *std::move(cut);
   return status;
 }
