@@ -5,7 +5,7 @@
 
 #include "cirque/cones/cone_fit.h"
 #include "cirque/cones/cone_problem.h"
-#include "cirque/mesh/counting_sort.h"
+#include "cirque/core/counting_sort.h"
 
 namespace cirque {
 

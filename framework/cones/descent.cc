@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cirque/cones/cone_choice.h"
-#include "cirque/mesh/disjoint_sets.h"
+#include "cirque/core/disjoint_sets.h"
 
 namespace cirque {
 namespace {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "cirque/core/disjoint_sets.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/edge_graph.h"
 #include "cirque/cuts/shortest_path.h"
-#include "cirque/mesh/disjoint_sets.h"
 
 namespace cirque {
 namespace {

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "cirque/mesh/counting_sort.h"
+#include "cirque/core/counting_sort.h"
 
 namespace cirque {
 namespace {

@@ -9,7 +9,7 @@ namespace cirque {
 ///   kRelative  w = 1 / x0^2: the weights of angle-based flattening (Sheffer & de Sturler 2001), x0
 ///   clamped to >= eps kUnbounded w = 1 without inequalities (Q_e is everything): the linear
 ///   least-squares projection
-class QuadraticObjective final : public SeparableObjective {
+class QuadraticObjective final : public SeparableObjective<QuadraticObjective> {
  public:
   enum class Kind { kUniform, kRelative, kUnbounded };
 
@@ -17,7 +17,7 @@ class QuadraticObjective final : public SeparableObjective {
 
   ScalarJet Distance(double reference, double x) const override;
   ResidualJet Residual(double reference, double x) const override;
-  double WithSlope(double reference, double slope) const override;
+  double WithSlope(double reference, double slope) const;
   double ClampReference(double reference, double epsilon) const override;
   double Margin(double epsilon) const override;
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/disjoint_sets.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/disjoint_sets.h"
 
 namespace cirque {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/mesh/counting_sort.h"
+#include "cirque/core/counting_sort.h"
 
 namespace cirque {
 namespace {

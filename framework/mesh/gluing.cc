@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "cirque/core/counting_sort.h"
+#include "cirque/core/disjoint_sets.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/counting_sort.h"
-#include "cirque/mesh/disjoint_sets.h"
 
 namespace cirque {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/mesh/disjoint_sets.h"
+#include "cirque/core/disjoint_sets.h"
 #include "cirque/mesh/fan_split.h"
 #include "cirque/mesh/gluing.h"
 #include "cirque/mesh/orientation.h"

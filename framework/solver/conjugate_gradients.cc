@@ -29,11 +29,16 @@ double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 double Norm(const Eigen::VectorXd& a) { return std::sqrt(Dot(a, a)); }
 
-/// y = x_factor x + y_factor y
+/// y = x_factor x + y_factor y; with y_factor 0 y is not read, and takes the size of x.
 void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::VectorXd* y) {
+  if (y_factor == 0) y->resize(x.size());
   ForEachBlock(static_cast<int>(x.size()), [&](int, int begin, int end) {
     auto part = y->segment(begin, end - begin);
-    part = x_factor * x.segment(begin, end - begin) + y_factor * part;
+    if (y_factor == 0) {
+      part = x_factor * x.segment(begin, end - begin);
+    } else {
+      part = x_factor * x.segment(begin, end - begin) + y_factor * part;
+    }
   });
 }
 
@@ -43,9 +48,8 @@ CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& ri
                             const Preconditioner& precondition, double tolerance,
                             int max_iterations, Eigen::VectorXd* x) {
   CgResult result;
-  x->setZero(right_side.size());
-  Eigen::VectorXd residual = right_side;
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(right_side.size()), image = direction, z;
+  Eigen::VectorXd residual, direction, image, z;
+  Combine(1, right_side, 0, &residual);
   const double start = Norm(residual), target = tolerance * start;
   double now = start, last_rho = 1, last_step = 0;
   while (!(result.converged = now <= target) &&
@@ -53,20 +57,22 @@ CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& ri
     precondition(residual, &z);
     const double rho = Dot(residual, z);
     // Residuals differ by the step's share of the image.
-    Combine(1, z, -last_step * Dot(image, z) / last_rho, &direction);
+    const bool first = result.iterations == 0;
+    Combine(1, z, first ? 0 : -last_step * Dot(image, z) / last_rho, &direction);
     image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
     const double curvature = Dot(direction, image);
     if (!(curvature > 0)) {
       result.positive = false;
-      return result;
+      break;
     }
     last_rho = rho;
     last_step = rho / curvature;
-    Combine(last_step, direction, 1, x);
+    Combine(last_step, direction, first ? 0 : 1, x);
     Combine(-last_step, image, 1, &residual);
     now = Norm(residual);
     ++result.iterations;
   }
+  if (result.iterations == 0) x->setZero(right_side.size());
   return result;
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "cirque/core/counting_sort.h"
+#include "cirque/core/disjoint_sets.h"
 #include "cirque/core/parallel.h"
 #include "cirque/solver/lower_triangle.h"
 
@@ -14,6 +17,7 @@ constexpr double kChanged = 0.05;      ///< of a diagonal entry
 constexpr double kMostChanged = 0.05;  ///< of all rows
 constexpr int kRings = 3;              ///< of neighbours of changed rows
 constexpr int kSweeps = 8;
+constexpr int kTasks = 16;
 
 /// The rows whose diagonal entry changed.
 std::vector<char> ChangedRows(const SparseMatrix& lower, const Eigen::VectorXd& before) {
@@ -63,6 +67,29 @@ void ForEach(const std::vector<std::vector<Coupling>>& couplings, const Visit& v
   }
 }
 
+/// The chosen rows, increasing, in pieces that are not coupled.
+Buckets UncoupledPieces(const std::vector<char>& chosen,
+                        const std::vector<std::vector<Coupling>>& couplings) {
+  std::vector<int> row, number(chosen.size(), kNone);
+  for (int j = 0; j < static_cast<int>(chosen.size()); ++j) {
+    if (!chosen[j]) continue;
+    number[j] = static_cast<int>(row.size());
+    row.push_back(j);
+  }
+  DisjointSets sets(static_cast<int>(row.size()));
+  ForEach(couplings, [&](const Coupling& c) {
+    if (chosen[c.i] && chosen[c.j]) sets.Unite(number[c.i], number[c.j]);
+  });
+  int pieces = 0;
+  std::vector<int> piece(row.size());  // the representative of a set is its least element
+  for (int k = 0; k < static_cast<int>(row.size()); ++k) {
+    piece[k] = sets.Find(k) == k ? pieces++ : piece[sets.Find(k)];
+  }
+  Buckets rows = SortIntoBuckets(piece, pieces);
+  for (int& k : rows.item) k = row[k];
+  return rows;
+}
+
 }  // namespace
 
 LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before) {
@@ -77,16 +104,16 @@ LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& d
 }
 
 void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen) {
-  const int n = static_cast<int>(lower.cols());
-  std::vector<int> place(n, -1);
-  for (int j = 0; j < n; ++j) {
-    if (!chosen[j]) continue;
-    place[j] = num_rows();
-    rows_.push_back(j);
-    diagonal_.push_back(DiagonalEntry(lower, j));
+  const std::vector<std::vector<Coupling>> couplings = CouplingsOf(lower, chosen);
+  Buckets pieces = UncoupledPieces(chosen, couplings);
+  rows_ = std::move(pieces.item);
+  piece_ = std::move(pieces.first);
+  std::vector<int> place(lower.cols());
+  for (int k = 0; k < num_rows(); ++k) {
+    place[rows_[k]] = k;
+    diagonal_.push_back(DiagonalEntry(lower, rows_[k]));
   }
   first_.assign(rows_.size() + 1, 0);
-  const std::vector<std::vector<Coupling>> couplings = CouplingsOf(lower, chosen);
   ForEach(couplings, [&](const Coupling& c) {
     if (chosen[c.i]) ++first_[place[c.i] + 1];
     if (chosen[c.j]) ++first_[place[c.j] + 1];
@@ -108,14 +135,27 @@ void LocalSmoother::Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) c
   (*x)[rows_[k]] = rest / diagonal_[k];
 }
 
+void LocalSmoother::ForEachPiece(const std::function<void(int, int)>& body) const {
+  // Tasks of about equal numbers of rows.
+  ParallelTasks(kTasks, [&](int task) {
+    const auto first_from = [&](int part) {
+      const auto row = static_cast<int>(static_cast<long long>(num_rows()) * part / kTasks);
+      return std::lower_bound(piece_.begin(), piece_.end(), row);
+    };
+    for (auto p = first_from(task); p != first_from(task + 1); ++p) body(*p, *(p + 1));
+  });
+}
+
 void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
                           Eigen::VectorXd* x) {
   if (rows_.empty()) return solve(b, x);
   if (near_.size() != b.size()) near_.setZero(b.size());
-  for (const int j : rows_) near_[j] = 0;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (int k = 0; k < num_rows(); ++k) Relax(k, b, &near_);
-  }
+  ForEachPiece([&](int begin, int end) {
+    for (int k = begin; k < end; ++k) near_[rows_[k]] = 0;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (int k = begin; k < end; ++k) Relax(k, b, &near_);
+    }
+  });
   left_.resize(b.size());
   ParallelFor(static_cast<int>(b.size()), [&](int j) { left_[j] = b[j]; });
   for (int k = 0; k < num_rows(); ++k) {
@@ -125,10 +165,12 @@ void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
     }
   }
   solve(left_, x);
-  for (const int j : rows_) (*x)[j] += near_[j];
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (int k = num_rows(); k-- > 0;) Relax(k, b, x);
-  }
+  ForEachPiece([&](int begin, int end) {
+    for (int k = begin; k < end; ++k) (*x)[rows_[k]] += near_[rows_[k]];
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (int k = end; k-- > begin;) Relax(k, b, x);
+    }
+  });
 }
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,10 +34,14 @@ class LocalSmoother {
 
   void CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen);
 
+  /// Calls body(begin, end) for pieces of the rows that are not coupled, at once.
+  void ForEachPiece(const std::function<void(int begin, int end)>& body) const;
+
   /// Solves the k-th row for its own unknown.
   void Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) const;
 
-  std::vector<int> rows_;   ///< increasing
+  std::vector<int> rows_;   ///< piece by piece, increasing in each
+  std::vector<int> piece_;  ///< where each begins, and the last ends
   std::vector<int> first_;  ///< per row, where its entries off the diagonal begin
   std::vector<Entry> entries_;
   std::vector<double> diagonal_;

@@ -1,4 +1,4 @@
-#include "cirque/mesh/counting_sort.h"
+#include "cirque/core/counting_sort.h"
 
 #include <numeric>
 
