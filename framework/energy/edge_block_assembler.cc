@@ -11,7 +11,7 @@ namespace cirque {
 class EdgeBlockAssembler::FaceColumn {
  public:
   FaceColumn(const EdgeBlockAssembler& d, Index f) {
-    Add(f, d.diagonal_[f]);
+    Add(f, d.AddedToDiagonal(f));
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       Add(f, d.own_[h]);
       AddVertex(d, h, d.own_[h]);
@@ -58,9 +58,10 @@ class EdgeBlockAssembler::FaceColumn {
 EdgeBlockAssembler::EdgeBlockAssembler(const AngleConstraints& constraints)
     : constraints_(constraints),
       t_(constraints.triangulation()),
-      own_(t_.num_halfedges(), 0.0),
-      shared_(t_.num_halfedges(), 0.0),
-      diagonal_(constraints.num_rows(), 0.0) {}
+      own_(t_.num_halfedges()),
+      shared_(t_.num_halfedges()) {
+  ParallelFor(t_.num_halfedges(), [&](Index h) { own_[h] = shared_[h] = 0; });
+}
 
 /// The column of the entry between the vertices at h and across its edge, kNone when there is none
 /// or h is not the one that gives it.
@@ -72,10 +73,16 @@ int EdgeBlockAssembler::VertexColumn(Index h) const {
 
 /// The corners that couple two vertices, by their column.
 std::vector<int> EdgeBlockAssembler::CoupledVertices() const {
+  std::vector<std::vector<std::pair<int, Index>>> of_block(NumBlocks(t_.num_halfedges()));
+  ForEachBlock(t_.num_halfedges(), [&](int block, Index begin, Index end) {
+    for (Index h = begin; h < end; ++h) {
+      if (const int column = VertexColumn(h); column != kNone) {
+        of_block[block].emplace_back(column, h);
+      }
+    }
+  });
   std::vector<std::pair<int, Index>> by_column;
-  for (Index h = 0; h < t_.num_halfedges(); ++h) {
-    if (const int column = VertexColumn(h); column != kNone) by_column.emplace_back(column, h);
-  }
+  for (const auto& found : of_block) by_column.insert(by_column.end(), found.begin(), found.end());
   std::sort(by_column.begin(), by_column.end(), [&](const auto& a, const auto& b) {
     const auto key = [&](const auto& entry) {
       return std::pair(entry.first, constraints_.VertexRow(t_.twin[entry.second]));
@@ -85,6 +92,14 @@ std::vector<int> EdgeBlockAssembler::CoupledVertices() const {
   std::vector<int> corners;
   for (const auto& [column, h] : by_column) corners.push_back(h);
   return corners;
+}
+
+int EdgeBlockAssembler::NumInColumn(Index f) const {
+  const bool couples = (shared_.segment<3>(3 * f).array() != 0).any();
+  if (couples) return FaceColumn(*this, f).size();
+  const int a = constraints_.VertexRow(3 * f), b = constraints_.VertexRow(3 * f + 1);
+  const int c = constraints_.VertexRow(3 * f + 2);
+  return 1 + (a != kNone) + (b != kNone && b != a) + (c != kNone && c != a && c != b);
 }
 
 void EdgeBlockAssembler::FillFaceColumns(SparseMatrix* lower) const {
@@ -98,7 +113,8 @@ void EdgeBlockAssembler::FillFaceColumns(SparseMatrix* lower) const {
 void EdgeBlockAssembler::FillVertexColumns(const std::vector<int>& coupling,
                                            SparseMatrix* lower) const {
   const int faces = t_.num_faces(), rows = constraints_.num_rows();
-  std::vector<double> diagonal(diagonal_.begin() + faces, diagonal_.end());
+  Eigen::VectorXd diagonal(rows - faces);
+  for (int row = faces; row < rows; ++row) diagonal[row - faces] = AddedToDiagonal(row);
   for (Index h = 0; h < t_.num_halfedges(); ++h) {
     if (const int row = constraints_.VertexRow(h); row != kNone) diagonal[row - faces] += own_[h];
   }
@@ -125,7 +141,7 @@ void EdgeBlockAssembler::Assemble(SparseMatrix* lower) const {
   lower->resize(rows, rows);
   int* outer = lower->outerIndexPtr();
   outer[0] = 0;
-  ParallelFor(faces, [&](int f) { outer[f + 1] = FaceColumn(*this, f).size(); });
+  ParallelFor(faces, [&](int f) { outer[f + 1] = NumInColumn(f); });
   for (int f = 0; f < faces; ++f) outer[f + 1] += outer[f];
   lower->resizeNonZeros(outer[faces] + (rows - faces) + static_cast<int>(coupling.size()));
   FillFaceColumns(lower);

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/energy.h"
 
@@ -19,7 +21,10 @@ class EdgeBlockAssembler {
   void Add(Index h, Index g, double weight) { (h == g ? own_ : shared_)[h] += weight; }
 
   /// Adds to a diagonal entry of the matrix itself.
-  void AddToDiagonal(int row, double weight) { diagonal_[row] += weight; }
+  void AddToDiagonal(int row, double weight) {
+    if (diagonal_.size() == 0) diagonal_.setZero(constraints_.num_rows());
+    diagonal_[row] += weight;
+  }
 
   /// The lower triangle; every diagonal entry and every entry between a triangle and its
   /// constrained vertices is stored, others where D has a coupling across the edge.
@@ -32,11 +37,13 @@ class EdgeBlockAssembler {
   void FillVertexColumns(const std::vector<int>& coupling, SparseMatrix* lower) const;
   std::vector<int> CoupledVertices() const;
   int VertexColumn(Index h) const;
+  int NumInColumn(Index f) const;
+  double AddedToDiagonal(int row) const { return diagonal_.size() > 0 ? diagonal_[row] : 0; }
 
   const AngleConstraints& constraints_;
   const Triangulation& t_;
-  std::vector<double> own_, shared_;  ///< per corner: D_hh and D_hg
-  std::vector<double> diagonal_;
+  Eigen::VectorXd own_, shared_;  ///< per corner: D_hh and D_hg
+  Eigen::VectorXd diagonal_;      ///< what was added there; empty: nothing
 };
 
 }  // namespace cirque
