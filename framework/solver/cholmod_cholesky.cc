@@ -74,7 +74,9 @@ class CholmodCholesky final : public SparseCholesky {
   CholmodCholesky& operator=(const CholmodCholesky&) = delete;
 
   void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
-    if (rounded_) return rounded_->Solve(b, x);
+    if (solver_) {
+      return rounded_ ? solver_->Solve(*rounded_, b, x) : solver_->Solve(*supernodal_, b, x);
+    }
     cholmod_dense right_side = View(b);
     cholmod_solve2(CHOLMOD_A, factor_, &right_side, nullptr, &solution_, nullptr, &workspace_,
                    &second_workspace_, &common_);
@@ -87,8 +89,8 @@ class CholmodCholesky final : public SparseCholesky {
   }
 
   void KeepRoughly() override {
-    if (!factor_ || !factor_->is_super || rounded_) return;
-    rounded_ = SinglePrecisionFactor::Round(*factor_);
+    if (!supernodal_ || rounded_) return;
+    rounded_ = SinglePrecisionFactor::Round(*factor_, supernodal_->tree());
     if (rounded_) numbers_.Release(rounded_->NumBytes() / sizeof(double) + 1);
   }
 
@@ -109,7 +111,10 @@ class CholmodCholesky final : public SparseCholesky {
     factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
     suggested_ = {};
     if (!factor_ || !LendMemory()) return false;
-    if (factor_->is_super) supernodal_.emplace(lower, *factor_);
+    if (factor_->is_super) {
+      supernodal_.emplace(lower, *factor_);
+      solver_.emplace(supernodal_->tree(), static_cast<const int*>(factor_->Perm));
+    }
     return true;
   }
 
@@ -141,12 +146,14 @@ class CholmodCholesky final : public SparseCholesky {
 
   void FreeFactor() {
     rounded_.reset();
+    solver_.reset();
     supernodal_.reset();
     if (factor_ && factor_->x == numbers_.data()) factor_->x = nullptr;
     cholmod_free_factor(&factor_, &common_);
   }
 
-  std::optional<SupernodalFactorization> supernodal_;
+  std::optional<SupernodalFactorization> supernodal_;  ///< for supernodal factors, as the solver
+  std::optional<SupernodalSolver> solver_;
   std::unique_ptr<SinglePrecisionFactor> rounded_;
   LargeBuffer numbers_;
   std::vector<int> suggested_;  ///< order of the next analysis; empty: AMD's

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <Eigen/Core>
+
 #include "cirque/core/parallel.h"
 
 extern "C" {
@@ -125,6 +127,23 @@ bool FactorTrapezoidInParallel(const DenseTrapezoid& t) {
     block.SubtractBehind();
   }
   return true;
+}
+
+void SolveWithTrapezoid(const DenseTrapezoid& t, double* w) {
+  for (int j = 0; j < t.columns; ++j) {
+    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    w[j] /= column[j];
+    for (int i = j + 1; i < t.rows; ++i) w[i] -= w[j] * column[i];
+  }
+}
+
+void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
+  for (int j = t.columns; j-- > 0;) {
+    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    const int below = t.rows - j - 1;
+    const Eigen::Map<const Eigen::VectorXd> entries(column + j + 1, below), of_w(w + j + 1, below);
+    w[j] = (w[j] - entries.dot(of_w)) / column[j];
+  }
 }
 
 void MultiplyByTransposed(const double* left, const double* right, int leading_dimension, int rows,

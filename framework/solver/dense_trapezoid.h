@@ -18,6 +18,11 @@ bool FactorTrapezoid(const DenseTrapezoid& trapezoid);
 /// not depend on the number of threads.
 bool FactorTrapezoidInParallel(const DenseTrapezoid& trapezoid);
 
+/// With L the factor's columns: w of the columns becomes L^-1 w, and is taken out of that of the
+/// rows below; w of the columns becomes L^-T w, given that of the rows below.
+void SolveWithTrapezoid(const DenseTrapezoid& factored, double* w);
+void SolveWithTrapezoidTransposed(const DenseTrapezoid& factored, double* w);
+
 /// product = left right', rows x columns: left has `rows` rows, right `columns`, both `inner`
 /// columns and the same leading dimension. By BLAS, but for few of them.
 void MultiplyByTransposed(const double* left, const double* right, int leading_dimension, int rows,

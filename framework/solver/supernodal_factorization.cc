@@ -8,7 +8,6 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/core/types.h"
-#include "cirque/solver/dense_trapezoid.h"
 
 namespace cirque {
 namespace {
@@ -52,8 +51,15 @@ void SupernodalFactorization::ListByRows(const SparseMatrix& lower) {
   }
 }
 
-double* SupernodalFactorization::Numbers(int s) const {
-  return static_cast<double*>(factor_.x) + static_cast<const int*>(factor_.px)[s];
+DenseTrapezoid SupernodalFactorization::Numbers(int s) const {
+  return {static_cast<double*>(factor_.x) + static_cast<const int*>(factor_.px)[s],
+          tree_.NumRows(s), tree_.NumColumns(s)};
+}
+
+void SupernodalFactorization::Solve(int s, double* w) const { SolveWithTrapezoid(Numbers(s), w); }
+
+void SupernodalFactorization::SolveTransposed(int s, double* w) const {
+  SolveWithTrapezoidTransposed(Numbers(s), w);
 }
 
 void SupernodalFactorization::TakeDescendants(int s, std::vector<Descendant>* descendants) const {
@@ -70,7 +76,7 @@ void SupernodalFactorization::TakeDescendants(int s, std::vector<Descendant>* de
 void SupernodalFactorization::Fill(const SparseMatrix& lower, int s, int* place) const {
   const int rows = tree_.NumRows(s), columns = tree_.NumColumns(s);
   for (int k = 0; k < rows; ++k) place[tree_.Rows(s)[k]] = k;
-  double* numbers = Numbers(s);
+  double* numbers = Numbers(s).data;
   std::fill_n(numbers, static_cast<std::size_t>(rows) * columns, 0.0);
   const int *outer = lower.outerIndexPtr(), *inner = lower.innerIndexPtr();
   const double* value = lower.valuePtr();
@@ -91,15 +97,15 @@ void SupernodalFactorization::Fill(const SparseMatrix& lower, int s, int* place)
 void SupernodalFactorization::Subtract(const Descendant& of, int s, int first, int last,
                                        const int* place, std::vector<double>* product) const {
   const int* rows = tree_.Rows(of.d);
-  const double* numbers = Numbers(of.d);
+  const double* numbers = Numbers(of.d).data;
   const int count = last - first, columns = std::min(of.end, last) - of.begin;
   const std::size_t size = static_cast<std::size_t>(count) * columns;
   if (product->size() < size) product->resize(size);
   MultiplyByTransposed(numbers + first, numbers + of.begin, tree_.NumRows(of.d), count, columns,
                        tree_.NumColumns(of.d), product->data());
   for (int c = 0; c < columns; ++c) {
-    double* target = Numbers(s) + static_cast<std::size_t>(place[rows[of.begin + c]]) *
-                                      static_cast<std::size_t>(tree_.NumRows(s));
+    double* target = Numbers(s).data + static_cast<std::size_t>(place[rows[of.begin + c]]) *
+                                           static_cast<std::size_t>(tree_.NumRows(s));
     const double* source = product->data() + static_cast<std::size_t>(c) * count - first;
     for (int r = std::max(first, of.begin + c); r < last; ++r) target[place[rows[r]]] -= source[r];
   }
@@ -141,7 +147,7 @@ bool SupernodalFactorization::FactorInBranch(const SparseMatrix& lower, int s, W
     Pass(of.d, of.end, to_trunk);
   }
   Pass(s, tree_.NumColumns(s), to_trunk);
-  return FactorTrapezoid({Numbers(s), tree_.NumRows(s), tree_.NumColumns(s)});
+  return FactorTrapezoid(Numbers(s));
 }
 
 bool SupernodalFactorization::FactorInTrunk(const SparseMatrix& lower, int s, Workspace* work) {
@@ -150,7 +156,7 @@ bool SupernodalFactorization::FactorInTrunk(const SparseMatrix& lower, int s, Wo
   SubtractInBlocks(s, *work);
   for (const Descendant& of : work->descendants) Pass(of.d, of.end, nullptr);
   Pass(s, tree_.NumColumns(s), nullptr);
-  return FactorTrapezoidInParallel({Numbers(s), tree_.NumRows(s), tree_.NumColumns(s)});
+  return FactorTrapezoidInParallel(Numbers(s));
 }
 
 bool SupernodalFactorization::Compute(const SparseMatrix& lower) {

@@ -8,7 +8,8 @@
 #include <cholmod.h>
 
 #include "cirque/energy/energy.h"
-#include "cirque/solver/supernodal_tree.h"
+#include "cirque/solver/dense_trapezoid.h"
+#include "cirque/solver/supernodal_solver.h"
 
 namespace cirque {
 
@@ -17,7 +18,7 @@ namespace cirque {
 /// 887", ACM Trans. Math. Softw. 35, 2008), but on all cores: the branches of the elimination tree
 /// at once, then the supernodes of the trunk one after another, each by blocks of rows. The result
 /// does not depend on the number of threads.
-class SupernodalFactorization {
+class SupernodalFactorization final : public SupernodeNumbers {
  public:
   /// For matrices with the pattern of `lower`, of which `factor` is the analysis. The factor must
   /// outlive this.
@@ -26,6 +27,9 @@ class SupernodalFactorization {
   /// Fills the factor's numbers, for which there is memory. False, and the numbers undefined, when
   /// a pivot is not positive.
   bool Compute(const SparseMatrix& lower);
+
+  void Solve(int s, double* w) const override;
+  void SolveTransposed(int s, double* w) const override;
 
   const SupernodalTree& tree() const { return tree_; }
 
@@ -37,7 +41,7 @@ class SupernodalFactorization {
   struct Workspace;
 
   void ListByRows(const SparseMatrix& lower);
-  double* Numbers(int s) const;
+  DenseTrapezoid Numbers(int s) const;
   void TakeDescendants(int s, std::vector<Descendant>* descendants) const;
   void Fill(const SparseMatrix& lower, int s, int* place) const;
 

@@ -22,6 +22,7 @@ class SupernodalTree {
   /// @pre the factor is analysed, and outlives this.
   explicit SupernodalTree(const cholmod_factor& factor);
 
+  int num_columns() const { return static_cast<int>(factor_.n); }
   int num_supernodes() const { return static_cast<int>(factor_.nsuper); }
   int FirstColumn(int s) const { return first_column_[s]; }
   int NumColumns(int s) const { return first_column_[s + 1] - first_column_[s]; }

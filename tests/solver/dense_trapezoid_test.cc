@@ -9,6 +9,7 @@ namespace cirque {
 namespace {
 
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 using Factor = bool (*)(const DenseTrapezoid&);
 
@@ -42,6 +43,22 @@ TEST_P(DenseTrapezoidTest, RefusesAPivotThatIsNotPositive) {
     MatrixXd numbers = matrix_.leftCols(columns_);
     EXPECT_FALSE(factor({numbers.data(), rows_, columns_}));
   }
+}
+
+// L L' of the rows, the identity below the columns, is undone in both directions.
+TEST_P(DenseTrapezoidTest, SolvesForwardsAndBackwards) {
+  MatrixXd numbers = Wanted();
+  const DenseTrapezoid factored = {numbers.data(), rows_, columns_};
+  MatrixXd l = MatrixXd::Identity(rows_, rows_);
+  l.leftCols(columns_) = numbers;
+  const VectorXd wanted = VectorXd::LinSpaced(rows_, -1, 2);
+  VectorXd w = l * wanted;
+  SolveWithTrapezoid(factored, w.data());
+  EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
+  w = l.transpose() * wanted;
+  w.tail(rows_ - columns_) = wanted.tail(rows_ - columns_);
+  SolveWithTrapezoidTransposed(factored, w.data());
+  EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
 }
 
 TEST_P(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {

@@ -34,6 +34,14 @@ class SupernodalFactorizationTest : public ::testing::Test {
  protected:
   SupernodalFactorizationTest() { ours_.AllocateNumbers(); }
 
+  Eigen::VectorXd Solve() {
+    Eigen::VectorXd x;
+    SupernodalSolver(factorization_.tree(), static_cast<const int*>(ours_.factor().Perm))
+        .Solve(factorization_, b_, &x);
+    return x;
+  }
+
+  const Eigen::VectorXd b_ = Eigen::VectorXd::LinSpaced(kSide * kSide, -1, 2);
   const SparseMatrix lower_ = GridMatrix(kSide, 0.1, 0.5);
   AnalysedFactor ours_{lower_};
   SupernodalFactorization factorization_{lower_, ours_.factor()};
@@ -51,10 +59,18 @@ TEST_F(SupernodalFactorizationTest, GivesTheNumbersOfCholmod) {
 
 TEST_F(SupernodalFactorizationTest, DoesNotDependOnTheNumberOfThreads) {
   ASSERT_TRUE(factorization_.Compute(lower_));
-  const Eigen::VectorXd numbers = Numbers(ours_.factor());
+  const Eigen::VectorXd numbers = Numbers(ours_.factor()), x = Solve();
   const ThreadLimit limit(1);
   ASSERT_TRUE(factorization_.Compute(lower_));
   EXPECT_EQ(Numbers(ours_.factor()), numbers);
+  EXPECT_EQ(Solve(), x);
+}
+
+TEST_F(SupernodalFactorizationTest, SolvesToRounding) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  const Eigen::VectorXd x = Solve();
+  EXPECT_GT(x.norm(), 1);
+  EXPECT_LT((lower_.selfadjointView<Eigen::Lower>() * x - b_).norm(), 1e-13 * b_.norm());
 }
 
 TEST_F(SupernodalFactorizationTest, TakesOtherNumbersInTheSamePattern) {

@@ -1,0 +1,83 @@
+#ifdef CIRQUE_CHOLMOD
+
+#include "cirque/solver/supernodal_solver.h"
+
+#include <algorithm>
+
+#include "cirque/core/parallel.h"
+
+namespace cirque {
+
+SupernodalSolver::SupernodalSolver(const SupernodalTree& tree, const int* order)
+    : tree_(tree),
+      order_(order),
+      x_(tree.num_columns()),
+      far_(tree.groups().size()),
+      work_(far_.size(), Eigen::VectorXd(tree.most_rows() + SupernodeNumbers::kPadding)) {}
+
+void SupernodalSolver::Forward(const SupernodeNumbers& numbers, int s, double* far,
+                               Eigen::VectorXd* work) {
+  const int rows = tree_.NumRows(s), columns = tree_.NumColumns(s);
+  double *x = x_.data(), *w = work->data();
+  std::copy_n(x + tree_.FirstColumn(s), columns, w);
+  std::fill_n(w + columns, rows - columns + SupernodeNumbers::kPadding, 0.0);
+  numbers.Solve(s, w);
+  std::copy_n(w, columns, x + tree_.FirstColumn(s));
+  const int* row = tree_.Rows(s);
+  const int near = tree_.NumNear(s);
+  for (int k = columns; k < near; ++k) x[row[k]] += w[k];
+  for (int k = near; k < rows; ++k) far[tree_.TrunkNumber(row[k])] += w[k];
+}
+
+void SupernodalSolver::Backward(const SupernodeNumbers& numbers, int s, Eigen::VectorXd* work) {
+  const int rows = tree_.NumRows(s), columns = tree_.NumColumns(s);
+  double *x = x_.data(), *w = work->data();
+  std::copy_n(x + tree_.FirstColumn(s), columns, w);
+  const int* row = tree_.Rows(s);
+  for (int k = columns; k < rows; ++k) w[k] = x[row[k]];
+  std::fill_n(w + rows, SupernodeNumbers::kPadding, 0.0);
+  numbers.SolveTransposed(s, w);
+  std::copy_n(w, columns, x + tree_.FirstColumn(s));
+}
+
+void SupernodalSolver::ForwardAll(const SupernodeNumbers& numbers) {
+  const auto& trunk_columns = tree_.trunk_columns();
+  ParallelTasks(static_cast<int>(far_.size()), [&](int g) {
+    far_[g].setZero(trunk_columns.size());
+    for (const auto& branches : tree_.groups()[g]) {
+      for (int s = branches.begin; s < branches.end; ++s) {
+        Forward(numbers, s, far_[g].data(), &work_[g]);
+      }
+    }
+  });
+  for (const Eigen::VectorXd& of_group : far_) {
+    for (std::size_t k = 0; k < trunk_columns.size(); ++k) x_[trunk_columns[k]] += of_group[k];
+  }
+  for (const int s : tree_.trunk()) Forward(numbers, s, nullptr, &work_.front());
+}
+
+void SupernodalSolver::BackwardAll(const SupernodeNumbers& numbers) {
+  for (auto s = tree_.trunk().rbegin(); s != tree_.trunk().rend(); ++s) {
+    Backward(numbers, *s, &work_.front());
+  }
+  ParallelTasks(static_cast<int>(work_.size()), [&](int g) {
+    const auto& group = tree_.groups()[g];
+    for (auto branches = group.rbegin(); branches != group.rend(); ++branches) {
+      for (int s = branches->end; s-- > branches->begin;) Backward(numbers, s, &work_[g]);
+    }
+  });
+}
+
+void SupernodalSolver::Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b,
+                             Eigen::VectorXd* x) {
+  const int n = tree_.num_columns();
+  ParallelFor(n, [&](int k) { x_[k] = b[order_[k]]; });
+  ForwardAll(numbers);
+  BackwardAll(numbers);
+  x->resize(n);
+  ParallelFor(n, [&](int k) { (*x)[order_[k]] = x_[k]; });
+}
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD

@@ -1,0 +1,57 @@
+#pragma once
+
+#ifdef CIRQUE_CHOLMOD
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/solver/supernodal_tree.h"
+
+namespace cirque {
+
+/// What triangular solves want of the numbers of a factor, supernode by supernode, each with the
+/// entries w of its rows; its columns come first.
+class SupernodeNumbers {
+ public:
+  /// Solves may touch that many zeros behind the last row.
+  static constexpr int kPadding = 3;
+
+  virtual ~SupernodeNumbers() = default;
+
+  /// w of the columns becomes L^-1 w, and is taken out of that of the rows below.
+  virtual void Solve(int s, double* w) const = 0;
+
+  /// w of the columns becomes L^-T w, given that of the rows below.
+  virtual void SolveTransposed(int s, double* w) const = 0;
+};
+
+/// Solves with a supernodal factor on all cores: branches of the elimination tree at once, the
+/// trunk after them going forward and before them going back. The result does not depend on the
+/// number of threads.
+class SupernodalSolver {
+ public:
+  /// `order` is the factor's, of the unknowns. Both must outlive this.
+  SupernodalSolver(const SupernodalTree& tree, const int* order);
+
+  /// x = (L L')^-1 b, the unknowns in their order before that of the factor.
+  void Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b, Eigen::VectorXd* x);
+
+ private:
+  /// Solves for the columns of s and takes them out of the rows below: out of x_, or of `far` by
+  /// number where the row belongs to the trunk and s does not.
+  void Forward(const SupernodeNumbers& numbers, int s, double* far, Eigen::VectorXd* work);
+  void Backward(const SupernodeNumbers& numbers, int s, Eigen::VectorXd* work);
+
+  void ForwardAll(const SupernodeNumbers& numbers);
+  void BackwardAll(const SupernodeNumbers& numbers);
+
+  const SupernodalTree& tree_;
+  const int* order_;
+  Eigen::VectorXd x_;                        ///< in the factor's order
+  std::vector<Eigen::VectorXd> far_, work_;  ///< per group: of the trunk's columns, of a supernode
+};
+
+}  // namespace cirque
+
+#endif  // CIRQUE_CHOLMOD
