@@ -1,14 +1,19 @@
 #include "cirque/mesh/fan_split.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include <Eigen/Geometry>
+
+#include "cirque/core/parallel.h"
 
 namespace cirque {
 namespace {
 
 using Corners = std::span<const Index>;
+
+constexpr std::size_t kNoApex = std::numeric_limits<std::size_t>::max();
 
 Corners CornersOf(const PolygonSoup& soup, Index p) {
   return Corners(soup.corner)
@@ -78,15 +83,19 @@ TriangleSoup SplitIntoFans(const PolygonSoup& soup, BadFaces* bad) {
   triangles.vertex.reserve(soup.corner.size());
   triangles.mate.reserve(soup.corner.size());
   triangles.polygon.reserve(soup.num_polygons());
-  for (Index p = 0; p < soup.num_polygons(); ++p) {
+  std::vector<std::size_t> apex(soup.num_polygons());
+  ParallelFor(soup.num_polygons(), [&](Index p) {
     const Corners corners = CornersOf(soup, p);
-    if (RepeatsVertex(corners)) {
+    apex[p] = RepeatsVertex(corners) ? kNoApex : FindApex(soup, corners);
+  });
+  for (Index p = 0; p < soup.num_polygons(); ++p) {
+    if (apex[p] == kNoApex) {
       bad->repeated_vertex.push_back(p);
       continue;
     }
-    const std::size_t apex = FindApex(soup, corners);
-    if (apex == corners.size()) bad->zero_area.push_back(p);
-    AppendFan(corners, apex, p, &triangles);
+    const Corners corners = CornersOf(soup, p);
+    if (apex[p] == corners.size()) bad->zero_area.push_back(p);
+    AppendFan(corners, apex[p], p, &triangles);
   }
   return triangles;
 }

@@ -1,10 +1,12 @@
 #include "cirque/mesh/gluing.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "cirque/core/counting_sort.h"
 #include "cirque/core/disjoint_sets.h"
+#include "cirque/core/parallel.h"
 #include "cirque/core/triangulation.h"
 
 namespace cirque {
@@ -18,28 +20,30 @@ struct EndPoints {
 };
 
 EndPoints CollectEndPoints(const std::vector<Index>& triangles) {
-  EndPoints ends;
-  ends.low.reserve(triangles.size());
-  ends.high.reserve(triangles.size());
-  for (Index h = 0; h < static_cast<Index>(triangles.size()); ++h) {
-    const auto [low, high] =
+  EndPoints ends{std::vector<Index>(triangles.size()), std::vector<Index>(triangles.size())};
+  ParallelFor(static_cast<Index>(triangles.size()), [&](Index h) {
+    std::tie(ends.low[h], ends.high[h]) =
         std::minmax(triangles[Triangulation::Next(h)], triangles[Triangulation::Prev(h)]);
-    ends.low.push_back(low);
-    ends.high.push_back(high);
-  }
+  });
   return ends;
 }
 
-/// The halfedges without a mate, those with equal end points one behind the other: two stable
-/// counting sorts.
+/// The halfedges without a mate, those with equal end points one behind the other, increasing: by
+/// a counting sort and short ones at every vertex.
 std::vector<Index> SortByEndPoints(const EndPoints& ends, const std::vector<Index>& mate,
                                    Index num_vertices) {
   std::vector<Index> single;
+  single.reserve(mate.size());
   for (Index h = 0; h < static_cast<Index>(mate.size()); ++h) {
     if (mate[h] == kNone) single.push_back(h);
   }
-  const std::vector<Index> by_high = SortIntoBuckets(ends.high, num_vertices, single).item;
-  return SortIntoBuckets(ends.low, num_vertices, by_high).item;
+  Buckets at = SortIntoBuckets(ends.low, num_vertices, single);
+  ParallelFor(num_vertices, [&](Index v) {
+    std::sort(
+        at.item.begin() + at.first[v], at.item.begin() + at.first[v + 1],
+        [&](Index h, Index g) { return std::pair(ends.high[h], h) < std::pair(ends.high[g], g); });
+  });
+  return std::move(at.item);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace {
 struct MeshFormat {
   StatusOr<PolygonSoup> (*parse)(const std::string& path, std::string_view content);
   TextPieces (*format)(const PolygonSoup& mesh);  ///< null: only read
-  bool holds_texture;                              ///< whether `format` writes UVs
+  bool holds_texture;                             ///< whether `format` writes UVs
 };
 
 const Registry<MeshFormat>& MeshFormats() {

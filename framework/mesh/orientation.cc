@@ -52,6 +52,7 @@ Orientation OrientTriangles(const std::vector<Index>& triangles, const Gluing& g
 
 void TurnTriangles(const std::vector<bool>& turn, std::vector<Index>* triangles,
                    std::vector<Index>* mate) {
+  if (std::find(turn.begin(), turn.end(), true) == turn.end()) return;
   const auto moved = [&](Index h) {
     if (h == kNone || h % 3 == 0 || !turn[Triangulation::Face(h)]) return h;
     return h % 3 == 1 ? h + 1 : h - 1;

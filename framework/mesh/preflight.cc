@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/disjoint_sets.h"
+#include "cirque/core/parallel.h"
 #include "cirque/mesh/fan_split.h"
 #include "cirque/mesh/gluing.h"
 #include "cirque/mesh/orientation.h"
@@ -144,7 +145,11 @@ StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report) {
   *report = {};
   report->num_vertices = static_cast<Index>(soup.position.size());
   report->num_polygons = soup.num_polygons();
-  InspectVertices(soup, report);
+  std::vector<std::vector<Index>> components;
+  BackgroundTask inspection([&] {
+    InspectVertices(soup, report);
+    components = CollectComponents(soup);
+  });
 
   Assembly assembly;
   BadFaces bad;
@@ -154,7 +159,7 @@ StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report) {
   assembly.gluing =
       GlueEdges(assembly.triangles.vertex, report->num_vertices, assembly.triangles.mate);
   assembly.orientation = OrientTriangles(assembly.triangles.vertex, assembly.gluing);
-  const std::vector<std::vector<Index>> components = CollectComponents(soup);
+  inspection.Wait();
   report->components = static_cast<Index>(components.size());
   InspectConnectivity(soup, assembly, report);
 
