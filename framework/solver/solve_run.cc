@@ -14,7 +14,7 @@ constexpr double kDeep = 1e-7;  ///< only gradients below this share of the firs
 constexpr double kNear = 10;    ///< or this near to the tolerance: a start may be nearly the end
 constexpr int kRelaxations = 3;
 constexpr double kRelaxedShare = 0.1;  ///< of the largest entry, in each of them
-constexpr int kPatience = 2;           ///< steps without progress
+constexpr int kPatience = 2;           ///< steps without progress; near the tolerance one
 
 }  // namespace
 
@@ -115,11 +115,9 @@ bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {
     steps_since_least_ = 0;
     return false;
   }
-  if (++steps_since_least_ < kPatience) return false;
-  if (least_gradient_ > kDeep * summary_.initial_gradient_max &&
-      least_gradient_ > kNear * limits_.gradient_tolerance) {
-    return false;
-  }
+  const bool near = least_gradient_ <= kNear * limits_.gradient_tolerance;
+  if (++steps_since_least_ < (near ? 1 : kPatience)) return false;
+  if (!near && least_gradient_ > kDeep * summary_.initial_gradient_max) return false;
   End(Termination::kStalled,
       fmt::format("gradient {:.2e} no longer falls: its terms are rounded there", gradient_max));
   return true;
