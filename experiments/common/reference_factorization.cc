@@ -5,6 +5,8 @@
 
 #ifdef CIRQUE_CHOLMOD
 #include <Eigen/CholmodSupport>
+#else
+#include "cirque/solver/eigen_cholesky.h"
 #endif
 #include <glog/logging.h>
 
@@ -12,7 +14,6 @@
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/laplacian_assembler.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/solver/eigen_cholesky.h"
 
 namespace cirque {
 namespace {

@@ -75,13 +75,21 @@ CornerUv UvFromAbove(const Surface& surface) {
 }
 
 Status PayFloor(const std::string& path) {
+  const Timer reading;
   const StatusOr<PolygonSoup> soup = ReadMesh(path);
   if (!soup.ok()) return soup.status();
+  const double read_seconds = reading.Seconds();
   PreflightReport report;
   const StatusOr<Surface> surface = Preflight(*soup, &report);
   if (!surface.ok()) return surface.status().In(path);
-  TimeDualFactorization(surface->triangulation);
-  return WriteMesh(FLAGS_output, AttachUv(*soup, *surface, UvFromAbove(*surface)));
+  const ReferenceFactorization dual = TimeDualFactorization(surface->triangulation);
+  const PolygonSoup map = AttachUv(*soup, *surface, UvFromAbove(*surface));
+  const Timer writing;
+  if (Status status = WriteMesh(FLAGS_output, map); !status.ok()) return status;
+  std::cout << fmt::format(
+      "{:<40} {:>9} triangles {:>9.4f} s read {:>9.4f} s dual factorization {:>9.4f} s write\n",
+      path, surface->triangulation.num_faces(), read_seconds, dual.seconds, writing.Seconds());
+  return Status();
 }
 
 Status CheckArguments(const std::vector<std::string>& meshes) {
