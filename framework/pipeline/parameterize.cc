@@ -97,8 +97,8 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   PlanarLayout& layout = *laid_out;
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
-    const Status refined = RefineLayout(t, job.lengths, flat, *cut, cones, job.options.refine_map,
-                                        job.control.cancelled, &layout, &certificate);
+    Status refined = RefineLayout(t, job.lengths, flat, *cut, cones, job.options.refine_map,
+                                  job.control.cancelled, &layout, &certificate);
     if (!refined.ok()) return refined;
     Arrange(t, result->targets, cones, flat, *cut, &layout, &certificate);
     flipped = FlippedFaces(t, layout.uv);
@@ -124,7 +124,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
 /// The same, timed.
 Status LayOut(const Job& job, Parameterization* result) {
   const Timer timer;
-  const Status status = CutAndPlace(job, result);
+  Status status = CutAndPlace(job, result);
   result->certificate.seconds["layout"] += timer.Seconds();
   return status;
 }
@@ -162,7 +162,7 @@ Status FreeSeams(const Job& job, Parameterization* result) {
 }
 
 Status LayOutAndMeasure(const Job& job, Parameterization* result) {
-  const Status status = job.options.seams == "free" ? FreeSeams(job, result) : LayOut(job, result);
+  Status status = job.options.seams == "free" ? FreeSeams(job, result) : LayOut(job, result);
   if (!status.ok()) return status;
   const Timer measure_timer;
   PutMeasures(job.t, job.lengths, result);
@@ -173,8 +173,8 @@ Status LayOutAndMeasure(const Job& job, Parameterization* result) {
 Status Run(const Job& job, Parameterization* result) {
   if (job.options.refine_cones > 0) {
     const Timer timer;
-    const Status status = RefineCones(job.t, job.lengths, job.options, job.control,
-                                      &result->certificate, &result->targets, &result->flat);
+    Status status = RefineCones(job.t, job.lengths, job.options, job.control, &result->certificate,
+                                &result->targets, &result->flat);
     result->certificate.seconds["refine_cones"] = timer.Seconds();
     if (!status.ok()) return status;
   }
@@ -191,7 +191,7 @@ Status CheckOptions(const ParameterizeOptions& options) {
 
 Status RunWithTargets(const Job& job, Parameterization* result) {
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
-  const Status status = FlattenAsAsked(job, result);
+  Status status = FlattenAsAsked(job, result);
   return status.ok() ? Run(job, result) : status;
 }
 
@@ -220,7 +220,7 @@ Status RunWithCones(const Job& job, Parameterization* result) {
   result->certificate.seconds["cones"] = timer.Seconds();
   if (!targets.ok()) return targets.status();
   result->targets = *std::move(targets);
-  const Status status = FlattenAndRepair(job, result);
+  Status status = FlattenAndRepair(job, result);
   return status.ok() ? Run(job, result) : status;
 }
 
@@ -267,7 +267,7 @@ Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cu
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const FileVertices file = VerticesInFile(surface);
-  const Status status =
+  Status status =
       RunWithTargets({surface.triangulation, lengths, file, cut, options, control}, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return Conclude(status, timer, &result->certificate);
@@ -290,7 +290,7 @@ Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const FileVertices file = VerticesInFile(surface);
-  const Status status =
+  Status status =
       RunWithCones({surface.triangulation, lengths, file, cut, options, control}, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return Conclude(status, timer, &result->certificate);

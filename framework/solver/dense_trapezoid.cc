@@ -10,6 +10,7 @@
 
 #include "cirque/core/parallel.h"
 
+// NOLINTBEGIN(readability-identifier-naming): the names of BLAS and LAPACK
 extern "C" {
 void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,
             const int* k, const double* alpha, const double* a, const int* lda, const double* b,
@@ -19,6 +20,7 @@ void dtrsm_(const char* side, const char* uplo, const char* transpose, const cha
             double* b, const int* ldb);
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace cirque {
 namespace {
