@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "cirque/core/parallel.h"
 #include "cirque/solver/conjugate_gradients.h"
 #include "cirque/solver/sparse_cholesky.h"
 
@@ -67,6 +68,18 @@ TEST_F(LocalSmootherTest, IsSymmetricAndPositive) {
     EXPECT_GT(x.dot(of_x), 1e-3 * x.squaredNorm());
     EXPECT_GT((of_x - Solve(x)).norm(), 1e-3 * x.norm()) << "smooths nothing";
   }
+}
+
+TEST_F(LocalSmootherTest, DoesNotDependOnTheNumberOfThreads) {
+  ChangeEdges(10, 0.02, 3);
+  const VectorXd b = RandomVector();
+  LocalSmoother smoother(now_, before_.diagonal());
+  const VectorXd x = Apply(&smoother, b);
+  const ThreadLimit limit(1);
+  LocalSmoother alone(now_, before_.diagonal());
+  EXPECT_EQ(Apply(&alone, b), x);
+  EXPECT_EQ(Apply(&alone, b), x) << "something of the last right side was left";
+  EXPECT_GT((x - Solve(b)).norm(), 1e-3 * b.norm());
 }
 
 /// Small enough to look at all eigenvalues.
