@@ -28,11 +28,10 @@ namespace {
 constexpr char kSource[] = "experiments/reference_factorization/";
 constexpr char kUsage[] =
     "reference_factorization [FLAGS] MESH ...\n"
-    "Times one analysis and factorization of each mesh's V x V cotangent Laplacian. With --floor, "
-    "the\n"
-    "floor of any circle pattern instead, as a process to be timed whole: reads one mesh, factors "
-    "its\n"
-    "F x F dual Laplacian once and writes it with texture coordinates, its x and y.\n\n";
+    "Times one analysis and factorization of each mesh's V x V cotangent Laplacian. With --floor\n"
+    "it is the floor of any circle pattern instead, as a process to be timed whole: reads the\n"
+    "mesh, factors its F x F dual Laplacian once and writes it with texture coordinates, its x\n"
+    "and y.\n\n";
 
 ReferenceFactorization Fastest(const Surface& surface) {
   ReferenceFactorization best = TimeReferenceFactorization(surface);

@@ -177,11 +177,8 @@ bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd
     elimination_->Solve(b, of_b);
     cycled = cycled && reduced_->converged();
   };
-  const auto precondition = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
-    smoother.Apply(b, solve, of_b);
-  };
-  const CgResult cg =
-      ConjugateGradients(lower, right_side, precondition, tolerance, max_cg_iterations_, x);
+  const CgResult cg = ConjugateGradients(lower, right_side, smoother.Around(solve), tolerance,
+                                         max_cg_iterations_, x);
   return (cycled && cg.converged && x->allFinite()) || Fail();
 }
 

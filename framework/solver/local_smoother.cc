@@ -173,4 +173,10 @@ void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
   });
 }
 
+Preconditioner LocalSmoother::Around(Preconditioner solve) {
+  return [this, solve = std::move(solve)](const Eigen::VectorXd& b, Eigen::VectorXd* x) {
+    Apply(b, solve, x);
+  };
+}
+
 }  // namespace cirque

@@ -24,6 +24,9 @@ class LocalSmoother {
   /// x approximates A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
   void Apply(const Eigen::VectorXd& b, const Preconditioner& solve, Eigen::VectorXd* x);
 
+  /// Apply() with that solve, as long as this lives.
+  Preconditioner Around(Preconditioner solve);
+
   int num_rows() const { return static_cast<int>(rows_.size()); }
 
  private:

@@ -58,11 +58,8 @@ bool ReusedFactor::IterateOnFactor(const SparseMatrix& lower, const Eigen::Vecto
   const auto solve = [this](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
     cholesky_->Solve(b, of_b);
   };
-  const auto precondition = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
-    smoother.Apply(b, solve, of_b);
-  };
-  const CgResult cg =
-      ConjugateGradients(lower, right_side, precondition, tolerance, max_cg_iterations_, x);
+  const CgResult cg = ConjugateGradients(lower, right_side, smoother.Around(solve), tolerance,
+                                         max_cg_iterations_, x);
   iterations_a_decade_ = cg.iterations / std::max(kLeastDecades, -std::log10(tolerance));
   summary->cg_iterations += cg.iterations;
   summary->linear_solves += cg.iterations;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 #include "cirque/core/parallel.h"
 #include "cirque/core/types.h"

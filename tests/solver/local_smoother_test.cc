@@ -114,9 +114,7 @@ TEST_F(LocalSmootherTest, ConjugateGradientsNeedFewerIterations) {
   const VectorXd b = VectorXd::LinSpaced(side_ * side_, 1, 3);
   VectorXd x;
   const CgResult without = ConjugateGradients(now_, b, solve_, 1e-6, 1000, &x);
-  const CgResult with = ConjugateGradients(
-      now_, b, [&](const VectorXd& v, VectorXd* z) { smoother.Apply(v, solve_, z); }, 1e-6, 1000,
-      &x);
+  const CgResult with = ConjugateGradients(now_, b, smoother.Around(solve_), 1e-6, 1000, &x);
   EXPECT_TRUE(without.converged && with.converged);
   EXPECT_LE(2 * with.iterations, without.iterations);
   EXPECT_LT((Image(x) - b).norm(), 1.01e-6 * b.norm());
