@@ -4,9 +4,9 @@ include(CMakePackageConfigHelpers)
 set(CIRQUE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cirque)
 
 install(TARGETS cirque EXPORT cirqueTargets COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/ COMPONENT development
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/cirque/ COMPONENT development
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cirque
-        FILES_MATCHING PATTERN "*.h" PATTERN cmake EXCLUDE PATTERN petsc EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN petsc EXCLUDE)
 install(EXPORT cirqueTargets NAMESPACE cirque:: COMPONENT development
         DESTINATION ${CIRQUE_PACKAGE_DIR})
 

@@ -21,11 +21,11 @@ if(NOT CIRQUE_PETSC)
 endif()
 
 set(MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/cirque)
-file(GLOB PETSC_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/solver/petsc/*.cc)
+file(GLOB PETSC_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cirque/solver/petsc/*.cc)
 add_library(cirque_petsc MODULE ${PETSC_SOURCES})
 set_target_properties(cirque_petsc PROPERTIES
   PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${MODULE_DIR})
-target_include_directories(cirque_petsc PRIVATE ${PROJECT_BINARY_DIR}/include)
+target_include_directories(cirque_petsc PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_include_directories(cirque_petsc SYSTEM PRIVATE ${CIRQUE_PETSC_LIBRARIES_INCLUDE_DIRS})
 target_link_libraries(cirque_petsc PRIVATE cirque_warnings glog::glog
                       ${CIRQUE_PETSC_LIBRARIES_LINK_LIBRARIES})
@@ -34,7 +34,7 @@ foreach(COMPONENT programs development)
 endforeach()
 
 target_compile_definitions(cirque PRIVATE CIRQUE_PETSC)
-set_source_files_properties(solver/multigrid.cc PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(cirque/solver/multigrid.cc PROPERTIES COMPILE_DEFINITIONS
   "CIRQUE_PETSC_MODULE=\"${MODULE_DIR}/cirque_petsc.so\";\
 CIRQUE_PETSC_INSTALLED_MODULE=\"${CMAKE_INSTALL_FULL_LIBDIR}/cirque/cirque_petsc.so\"")
 # Whatever runs a program may ask for the module.

@@ -1,4 +1,4 @@
-// Follows framework/energy/README.md: an energy, an objective and a strategy, each in one file pair
+// Follows framework/cirque/energy/README.md: an energy, an objective and a strategy, each in one file pair
 // and one line of a table, are audited and used like the framework's own.
 #include <gtest/gtest.h>
 

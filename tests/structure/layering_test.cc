@@ -28,7 +28,7 @@ std::string ReadAll(const std::string& path) {
 
 TEST(Structure, EveryFileObeysTheRules) {
   const std::vector<std::string> files = SourceFiles(ProjectPath("."));
-  ASSERT_THAT(files, testing::Contains("framework/core/status.h"));
+  ASSERT_THAT(files, testing::Contains("framework/cirque/core/status.h"));
   for (const std::string& file : files) {
     EXPECT_THAT(Violations(file, ReadAll(ProjectPath(file))), IsEmpty());
   }
@@ -46,21 +46,24 @@ TEST(Structure, TopLevelIsTheDesigns) {
 }
 
 TEST(StructureRules, IncludesPointDown) {
-  EXPECT_THAT(Violations("framework/mesh/a.cc", "#include \"cirque/core/status.h\"\n"), IsEmpty());
-  EXPECT_THAT(Violations("framework/mesh/a.cc", "\n#include \"cirque/solver/newton.h\"\n"),
-              ElementsAre("framework/mesh/a.cc:2: mesh includes solver, which lies above it"));
-  EXPECT_THAT(Violations("framework/cuts/a.cc", "#  include <cirque/layout/b.h>\n"),
-              ElementsAre("framework/cuts/a.cc:1: cuts includes its sibling layout"));
-  EXPECT_THAT(Violations("framework/energy/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
-              ElementsAre("framework/energy/a.cc:1: energy includes mesh"));
-  EXPECT_THAT(Violations("framework/solver/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
-              ElementsAre("framework/solver/a.cc:1: solver includes mesh"));
-  EXPECT_EQ(Violations("framework/core/a.cc", "#include \"cirque/extra/b.h\"\n").size(), 1u);
-  EXPECT_EQ(Violations("framework/extra/a.cc", "#include \"cirque/core/b.h\"\n").size(), 1u);
+  EXPECT_THAT(Violations("framework/cirque/mesh/a.cc", "#include \"cirque/core/status.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(
+      Violations("framework/cirque/mesh/a.cc", "\n#include \"cirque/solver/newton.h\"\n"),
+      ElementsAre("framework/cirque/mesh/a.cc:2: mesh includes solver, which lies above it"));
+  EXPECT_THAT(Violations("framework/cirque/cuts/a.cc", "#  include <cirque/layout/b.h>\n"),
+              ElementsAre("framework/cirque/cuts/a.cc:1: cuts includes its sibling layout"));
+  EXPECT_THAT(Violations("framework/cirque/energy/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
+              ElementsAre("framework/cirque/energy/a.cc:1: energy includes mesh"));
+  EXPECT_THAT(Violations("framework/cirque/solver/a.cc", "#include \"cirque/mesh/surface.h\"\n"),
+              ElementsAre("framework/cirque/solver/a.cc:1: solver includes mesh"));
+  EXPECT_EQ(Violations("framework/cirque/core/a.cc", "#include \"cirque/extra/b.h\"\n").size(), 1u);
+  EXPECT_EQ(Violations("framework/cirque/extra/a.cc", "#include \"cirque/core/b.h\"\n").size(), 1u);
 }
 
 TEST(StructureRules, NobodyIncludesALeaf) {
-  EXPECT_EQ(Violations("framework/core/a.cc", "#include \"tests/common/paths.h\"\n").size(), 1u);
+  EXPECT_EQ(Violations("framework/cirque/core/a.cc", "#include \"tests/common/paths.h\"\n").size(),
+            1u);
   EXPECT_EQ(Violations("bench/a.cc", "#include \"experiments/common/b.h\"\n").size(), 1u);
   EXPECT_EQ(Violations("experiments/one/a.cc", "#include \"experiments/two/b.h\"\n").size(), 1u);
   EXPECT_THAT(Violations("experiments/one/a.cc", "#include \"experiments/common/b.h\"\n"),
@@ -71,11 +74,12 @@ TEST(StructureRules, NobodyIncludesALeaf) {
 TEST(StructureRules, TheFrameworkDoesNotPrint) {
   for (const std::string line : {"#include <iostream>\n", "  std::cout << 1;\n", "printf(\"\");\n",
                                  "std::fprintf(stderr, \"\");\n", "fmt::print(\"{}\", 1);\n"}) {
-    EXPECT_EQ(Violations("framework/core/a.cc", line).size(), 1u) << line;
+    EXPECT_EQ(Violations("framework/cirque/core/a.cc", line).size(), 1u) << line;
     EXPECT_THAT(Violations("experiments/one/a.cc", line), IsEmpty()) << line;
   }
-  EXPECT_THAT(Violations("framework/core/a.cc", "// as printf(\"%g\") does\n"), IsEmpty());
-  EXPECT_THAT(Violations("framework/core/a.cc", "std::snprintf(buffer, 9, \"\");\n"), IsEmpty());
+  EXPECT_THAT(Violations("framework/cirque/core/a.cc", "// as printf(\"%g\") does\n"), IsEmpty());
+  EXPECT_THAT(Violations("framework/cirque/core/a.cc", "std::snprintf(buffer, 9, \"\");\n"),
+              IsEmpty());
 }
 
 TEST(StructureRules, DeferredWorkLengthAndGuardsAreSeen) {

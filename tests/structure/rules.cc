@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostLines = 500;
 
-// The floor of a folder of framework/; folders of one floor are siblings.
+// The floor of a folder of framework/cirque; folders of one floor are siblings.
 std::optional<int> Floor(const std::string& folder) {
   static const std::map<std::string, int> kFloors = {
       {"core", 0},  {"math", 1}, {"mesh", 2},   {"energy", 3}, {"solver", 4},  {"angles", 5},
@@ -26,9 +26,9 @@ std::optional<int> Floor(const std::string& folder) {
   return found->second;
 }
 
-// The first and second component of a path, empty where there is none.
-std::array<std::string, 2> Head(const std::string& path) {
-  std::array<std::string, 2> head;
+// The first three components of a path, empty where there is none.
+std::array<std::string, 3> Head(const std::string& path) {
+  std::array<std::string, 3> head;
   std::istringstream stream(path);
   for (std::string& part : head) std::getline(stream, part, '/');
   return head;
@@ -37,7 +37,7 @@ std::array<std::string, 2> Head(const std::string& path) {
 // Numerics see arrays only: these two never include mesh, though it lies below them.
 bool IsMeshFree(const std::string& folder) { return folder == "energy" || folder == "solver"; }
 
-// Why a file of framework/`folder` must not include "cirque/`target`/..."; empty when it may.
+// Why a file of framework/cirque/`folder` must not include "cirque/`target`/..."; empty when it may.
 std::string FloorFault(const std::string& folder, const std::string& target) {
   const auto from = Floor(folder);
   const auto to = Floor(target);
@@ -52,8 +52,8 @@ std::string FloorFault(const std::string& folder, const std::string& target) {
 
 // Why a leaf (experiments, bench, tests) must not include `target`, a path from the top.
 std::string LeafFault(const std::string& path, const std::string& target) {
-  const auto [leaf, folder] = Head(path);
-  const auto [target_leaf, target_folder] = Head(target);
+  const auto [leaf, folder, file] = Head(path);
+  const auto [target_leaf, target_folder, target_file] = Head(target);
   if (leaf == "tests" || leaf == target_leaf) {
     const bool is_other_program =
         leaf == "experiments" && target_folder != folder && target_folder != "common";
@@ -72,8 +72,8 @@ std::string IncludeFault(const std::string& path, const std::string& line) {
   std::smatch match;
   if (!std::regex_search(line, match, kInclude)) return "";
   const std::string target = match[1];
-  const auto [top, folder] = Head(path);
-  const auto [target_top, target_folder] = Head(target);
+  const auto [top, package, folder] = Head(path);
+  const auto [target_top, target_folder, target_file] = Head(target);
   if (top == "framework" && target == "iostream") return "the framework does not print";
   if (top == "framework" && target_top == "cirque") return FloorFault(folder, target_folder);
   if (IsLeaf(target_top)) return LeafFault(path, target);
