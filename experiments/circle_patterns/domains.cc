@@ -4,10 +4,10 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
 
 #include "experiments/circle_patterns/file_numbering.h"
 #include "experiments/circle_patterns/prescriptions.h"
-#include "experiments/common/domain_table.h"
 
 namespace cirque {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cirque/core/status.h"
-#include "cirque/pipeline/domain.h"
+#include "cirque/domains/domain.h"
 
 #include "experiments/circle_patterns/run.h"
 

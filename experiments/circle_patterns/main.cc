@@ -9,10 +9,10 @@
 #include "cirque/cones/registry.h"
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
+#include "cirque/domains/sphere.h"
+#include "cirque/domains/sphere_normalization.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/pipeline/sphere.h"
-#include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/multigrid.h"
 #include "cirque/solver/solver_strategy.h"
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "cirque/pipeline/sphere.h"
+#include "cirque/domains/sphere.h"
 
 #include "experiments/circle_patterns/run.h"
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "cirque/domains/sphere.h"
 #include "cirque/mesh/polygon_soup.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/sphere.h"
 
 namespace cirque {
 

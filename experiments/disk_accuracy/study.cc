@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "cirque/domains/domain.h"
 #include "cirque/math/moebius.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/mesh/known_maps.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/pipeline/domain.h"
 
 namespace cirque {
 namespace {

@@ -8,11 +8,11 @@
 
 #include <glog/logging.h>
 
+#include "cirque/domains/registry.h"
+#include "cirque/domains/sphere.h"
 #include "cirque/metrics/measure_map.h"
 #include "cirque/metrics/spherical.h"
-#include "cirque/pipeline/sphere.h"
 
-#include "experiments/common/domain_table.h"
 #include "experiments/common/sphere_files.h"
 #include "experiments/run_experiment/known_map.h"
 

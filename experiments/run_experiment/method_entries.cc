@@ -6,8 +6,8 @@
 #include <glog/logging.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
 
-#include "experiments/common/domain_table.h"
 #include "experiments/run_experiment/matrix.h"
 #include "experiments/run_experiment/method_fields.h"
 #include "experiments/run_experiment/schema.h"

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/metrics/measure_map.h"
 
-#include "experiments/common/domain_table.h"
 #include "experiments/run_experiment/cells.h"
 #include "experiments/run_experiment/method_fields.h"
 #include "experiments/run_experiment/quantities.h"

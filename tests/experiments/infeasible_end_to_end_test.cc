@@ -10,9 +10,9 @@
 #include "cirque/angles/registry.h"
 #include "cirque/angles/targets.h"
 #include "cirque/core/atomic_file.h"
+#include "cirque/domains/domain.h"
 #include "cirque/mesh/io.h"
 #include "cirque/pipeline/certificate.h"
-#include "cirque/pipeline/domain.h"
 
 #include "experiments/circle_patterns/run.h"
 #include "experiments/verify_map/infeasibility_check.h"

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
 #include "cirque/mesh/generators.h"
 #include "cirque/mesh/io.h"
 #include "cirque/metrics/measure_map.h"
 
-#include "experiments/common/domain_table.h"
 #include "experiments/run_experiment/config.h"
 #include "experiments/run_experiment/quantities.h"
 #include "experiments/run_experiment/runner.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/sphere.h"
 #include "cirque/mesh/generators.h"
-#include "cirque/pipeline/sphere.h"
 
 #include "experiments/verify_map/infeasibility_check.h"
 #include "experiments/verify_map/sphere_check.h"

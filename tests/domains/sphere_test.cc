@@ -1,4 +1,4 @@
-#include "cirque/pipeline/sphere.h"
+#include "cirque/domains/sphere.h"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/sphere_normalization.h"
 #include "cirque/metrics/spherical.h"
-#include "cirque/pipeline/sphere_normalization.h"
 #include "cirque/solver/lorentz_normalization.h"
 
 #include "tests/common/surfaces.h"

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/disk_poles.h"
+#include "cirque/domains/disk_poles.h"
 
 #include <algorithm>
 #include <cmath>

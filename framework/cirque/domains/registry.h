@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
-#include "cirque/pipeline/domain.h"
+#include "cirque/domains/domain.h"
 
 namespace cirque {
 

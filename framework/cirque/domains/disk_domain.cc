@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/disk_placement.h"
+#include "cirque/domains/domain.h"
+#include "cirque/domains/half_plane_chart.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
-#include "cirque/pipeline/disk_placement.h"
-#include "cirque/pipeline/domain.h"
-#include "cirque/pipeline/half_plane_chart.h"
 #include "cirque/pipeline/map_measures.h"
 
 namespace cirque {

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/sphere_certificate.h"
+#include "cirque/domains/sphere_certificate.h"
 
 #include <algorithm>
 #include <map>

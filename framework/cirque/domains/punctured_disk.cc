@@ -1,4 +1,4 @@
-#include "cirque/pipeline/punctured_disk.h"
+#include "cirque/domains/punctured_disk.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/sphere.h"
+#include "cirque/domains/sphere.h"
 
 #include <algorithm>
 #include <tuple>
@@ -8,13 +8,13 @@
 
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
+#include "cirque/domains/pole.h"
+#include "cirque/domains/sphere_certificate.h"
+#include "cirque/domains/sphere_normalization.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
 #include "cirque/metrics/spherical.h"
 #include "cirque/pipeline/flatten.h"
-#include "cirque/pipeline/pole.h"
-#include "cirque/pipeline/sphere_certificate.h"
-#include "cirque/pipeline/sphere_normalization.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/half_plane_chart.h"
+#include "cirque/domains/half_plane_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "cirque/domains/disk_poles.h"
 #include "cirque/layout/half_plane.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/pipeline/disk_poles.h"
 #include "cirque/pipeline/flatten.h"
 
 namespace cirque {

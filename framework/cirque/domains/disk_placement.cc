@@ -1,4 +1,4 @@
-#include "cirque/pipeline/disk_placement.h"
+#include "cirque/domains/disk_placement.h"
 
 #include <algorithm>
 #include <cmath>

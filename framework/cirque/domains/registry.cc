@@ -1,4 +1,4 @@
-#include "experiments/common/domain_table.h"
+#include "cirque/domains/registry.h"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "cirque/domains/domain.h"
+#include "cirque/domains/half_plane_chart.h"
 #include "cirque/layout/disk_positions.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/domain.h"
-#include "cirque/pipeline/half_plane_chart.h"
 
 namespace cirque {
 

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/pole.h"
+#include "cirque/domains/pole.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/domain.h"
+#include "cirque/domains/half_plane_chart.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/domain.h"
-#include "cirque/pipeline/half_plane_chart.h"
 
 namespace cirque {
 namespace {

@@ -6,11 +6,11 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
+#include "cirque/domains/punctured_disk.h"
 #include "cirque/math/moebius.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
-#include "cirque/pipeline/punctured_disk.h"
 
 namespace cirque {
 

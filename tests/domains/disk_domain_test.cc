@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "cirque/domains/domain.h"
 #include "cirque/math/moebius.h"
 #include "cirque/mesh/known_maps.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/domain.h"
 
 #include "tests/common/surfaces.h"
 

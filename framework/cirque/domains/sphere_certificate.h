@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 
 #include "cirque/core/infeasibility.h"
+#include "cirque/domains/sphere.h"
 #include "cirque/mesh/puncture.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/sphere.h"
 
 namespace cirque {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cirque/domains/domain.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/domain.h"
 
 #include "tests/common/surfaces.h"
 

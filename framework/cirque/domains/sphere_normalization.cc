@@ -1,4 +1,4 @@
-#include "cirque/pipeline/sphere_normalization.h"
+#include "cirque/domains/sphere_normalization.h"
 
 #include <cmath>
 #include <functional>
