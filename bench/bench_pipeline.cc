@@ -1,8 +1,8 @@
 // From a surface to its map with all defaults, for the surface of every generator; and each angle
 // objective, strategy of the log radii and refinement of the map on one of them.
 #include "cirque/energy/angle_objective.h"
+#include "cirque/generators/generators.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/mesh/generators.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/solver/solver_strategy.h"
 

@@ -6,7 +6,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque {

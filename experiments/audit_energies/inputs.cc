@@ -5,8 +5,8 @@
 
 #include <glog/logging.h>
 
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/generators.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque::audit_energies {

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "cirque/domains/domain.h"
+#include "cirque/generators/generators.h"
+#include "cirque/generators/known_maps.h"
 #include "cirque/math/moebius.h"
-#include "cirque/mesh/generators.h"
-#include "cirque/mesh/known_maps.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque {

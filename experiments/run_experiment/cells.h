@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/pipeline/parameterize.h"
 
 namespace cirque {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/mesh/known_maps.h"
+#include "cirque/generators/known_maps.h"
 #include "cirque/metrics/similarity.h"
 
 namespace cirque {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/known_maps.h"
+#include "cirque/generators/known_maps.h"
 
 #include "experiments/run_experiment/archive.h"
 #include "experiments/run_experiment/matrix.h"

@@ -4,7 +4,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/domains/registry.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/cells.h"

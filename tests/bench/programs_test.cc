@@ -9,7 +9,7 @@
 #include "cirque/cones/registry.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/energy/registry.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 #include "cirque/solver/solver_strategy.h"
 

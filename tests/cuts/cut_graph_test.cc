@@ -11,7 +11,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/shortest_path.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 #include "tests/common/surfaces.h"
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/domains/domain.h"
+#include "cirque/generators/known_maps.h"
 #include "cirque/math/moebius.h"
-#include "cirque/mesh/known_maps.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 
 #include "experiments/circle_patterns/run.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/run_program.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 #include "cirque/solver/multigrid.h"
 

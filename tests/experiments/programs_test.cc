@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/energy/angle_constraints.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/con_file.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/generators.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/run_program.h"

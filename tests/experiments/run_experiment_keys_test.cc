@@ -7,7 +7,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/domains/registry.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 #include "cirque/metrics/measure_map.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/run_program.h"

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/con_file.h"
-#include "cirque/mesh/generators.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/run_program.h"

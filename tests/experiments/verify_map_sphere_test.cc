@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/domains/sphere.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 #include "experiments/verify_map/infeasibility_check.h"
 #include "experiments/verify_map/sphere_check.h"

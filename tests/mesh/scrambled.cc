@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
+#include "cirque/generators/periodic_delaunay.h"
 #include "cirque/mesh/flip_complex.h"
 #include "cirque/mesh/gluing.h"
-#include "cirque/mesh/periodic_delaunay.h"
 
 namespace cirque::testing {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "cirque/generators/generators.h"
 #include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/generators.h"
 
 #include "tests/common/surfaces.h"
 

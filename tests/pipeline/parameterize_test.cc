@@ -6,7 +6,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/cuts/shortest_path.h"
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 #include "cirque/metrics/similarity.h"
 
 #include "tests/common/surfaces.h"

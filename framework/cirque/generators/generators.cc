@@ -1,10 +1,10 @@
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/generator_table.h"
+#include "cirque/generators/generator_table.h"
 
 namespace cirque {
 

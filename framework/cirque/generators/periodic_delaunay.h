@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cirque/mesh/planar_delaunay.h"
+#include "cirque/generators/planar_delaunay.h"
 
 namespace cirque {
 

@@ -5,11 +5,11 @@
 
 #include <glog/logging.h>
 
-#include "cirque/mesh/chart_sampler.h"
-#include "cirque/mesh/generator_table.h"
-#include "cirque/mesh/known_maps.h"
-#include "cirque/mesh/periodic_delaunay.h"
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/chart_sampler.h"
+#include "cirque/generators/generator_table.h"
+#include "cirque/generators/known_maps.h"
+#include "cirque/generators/periodic_delaunay.h"
+#include "cirque/generators/surface_chart.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/surface_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <glog/logging.h>
 
-#include "cirque/mesh/chart_sampler.h"
+#include "cirque/generators/chart_sampler.h"
 
 namespace cirque {
 namespace {

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/types.h"
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/surface_chart.h"
 
 namespace cirque {
 

@@ -1,12 +1,12 @@
-#include "cirque/mesh/planar_delaunay.h"
+#include "cirque/generators/planar_delaunay.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cirque/generators/hilbert_order.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/hilbert_order.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/mesh/planar_delaunay.h"
+#include "cirque/generators/planar_delaunay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/generators/chart_sampler.h"
+#include "cirque/generators/hilbert_order.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/chart_sampler.h"
-#include "cirque/mesh/hilbert_order.h"
 
 namespace cirque {
 namespace {

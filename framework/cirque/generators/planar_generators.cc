@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/mesh/chart_sampler.h"
-#include "cirque/mesh/generator_table.h"
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/chart_sampler.h"
+#include "cirque/generators/generator_table.h"
+#include "cirque/generators/surface_chart.h"
 
 namespace cirque {
 namespace {

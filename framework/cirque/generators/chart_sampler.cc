@@ -1,4 +1,4 @@
-#include "cirque/mesh/chart_sampler.h"
+#include "cirque/generators/chart_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/mesh/generator_table.h"
-#include "cirque/mesh/known_maps.h"
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/generator_table.h"
+#include "cirque/generators/known_maps.h"
+#include "cirque/generators/surface_chart.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 #include <cmath>
 #include <map>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/generators/known_maps.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/known_maps.h"
 
 #include "tests/mesh/soup_topology.h"
 

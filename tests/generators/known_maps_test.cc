@@ -1,11 +1,11 @@
-#include "cirque/mesh/known_maps.h"
+#include "cirque/generators/known_maps.h"
 
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 namespace cirque {
 namespace {

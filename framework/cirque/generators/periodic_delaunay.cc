@@ -1,9 +1,9 @@
-#include "cirque/mesh/periodic_delaunay.h"
+#include "cirque/generators/periodic_delaunay.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/mesh/surface_chart.h"
+#include "cirque/generators/surface_chart.h"
 
 namespace cirque {
 namespace {

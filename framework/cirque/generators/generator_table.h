@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/mesh/generators.h"
+#include "cirque/generators/generators.h"
 
 /// The generators that MeshGenerators() registers. V - E + F is the Euler characteristic; "loops"
 /// are boundary loops. Conformal maps named here are those of known_maps.h.

@@ -1,4 +1,4 @@
-#include "cirque/mesh/hilbert_order.h"
+#include "cirque/generators/hilbert_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cirque/mesh/known_maps.h"
+#include "cirque/generators/known_maps.h"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "cirque/mesh/generators.h"
-#include "cirque/mesh/planar_delaunay.h"
+#include "cirque/generators/generators.h"
+#include "cirque/generators/planar_delaunay.h"
 
 namespace cirque {
 
