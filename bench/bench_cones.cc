@@ -1,7 +1,7 @@
 // Every cone heuristic with 8 cones, on a closed surface.
 #include "cirque/cones/cone_problem.h"
 #include "cirque/cones/registry.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include "bench/registration.h"
 #include "bench/surfaces.h"

@@ -5,11 +5,11 @@
 #include <glog/logging.h>
 
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
-#include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/flat_on_input.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
 #include "cirque/metrics/measure_map.h"
 #include "cirque/pipeline/parameterize.h"
 

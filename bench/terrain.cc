@@ -7,7 +7,7 @@
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 #include "bench/surfaces.h"
 

@@ -6,7 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque::audit_energies {

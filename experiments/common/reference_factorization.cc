@@ -13,7 +13,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/laplacian_assembler.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {
 namespace {

@@ -5,7 +5,7 @@
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 

@@ -8,7 +8,7 @@
 #include <glog/logging.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/paths.h"

@@ -6,7 +6,7 @@
 
 #include "cirque/cones/registry.h"
 #include "cirque/core/gauss_bonnet.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"

@@ -8,8 +8,8 @@
 
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/generators/generators.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/con_file.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/mesh/io.h"
 
 #include "tests/common/run_program.h"

@@ -9,11 +9,11 @@
 
 #include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/layout/snap_seams.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/cut.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/beltrami_system.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"

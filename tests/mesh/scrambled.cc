@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cirque/generators/periodic_delaunay.h"
-#include "cirque/mesh/flip_complex.h"
+#include "cirque/intrinsic/flip_complex.h"
 #include "cirque/mesh/gluing.h"
 
 namespace cirque::testing {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"

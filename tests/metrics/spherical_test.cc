@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 #include "tests/common/surfaces.h"
 

@@ -7,7 +7,7 @@
 
 #include "cirque/cones/cone.h"
 #include "cirque/core/atomic_file.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/area_distortion.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/pipeline/repair_cones.h"

@@ -7,7 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/energy/laplacian_assembler.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/farthest_vertices.h"
 
 namespace cirque {

@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/convex_embedding.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/metrics/injectivity.h"
 
 namespace cirque {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/sub_triangulation.h"
 
 namespace cirque {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "cirque/domains/disk_poles.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/half_plane.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/pipeline/flatten.h"
 
 namespace cirque {

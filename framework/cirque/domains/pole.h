@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/mesh/puncture.h"
 #include "cirque/mesh/surface.h"
 

@@ -4,7 +4,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/flat_on_input.h"
+#include "cirque/intrinsic/flat_on_input.h"
 
 namespace cirque {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {
 namespace {

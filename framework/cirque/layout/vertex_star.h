@@ -6,8 +6,8 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/flat_on_input.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/mesh/flat_on_input.h"
 
 namespace cirque {
 

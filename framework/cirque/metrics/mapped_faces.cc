@@ -6,8 +6,8 @@
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/corner_angles.h"
 
 namespace cirque {
 namespace {

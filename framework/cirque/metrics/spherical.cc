@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/corner_angles.h"
 
 namespace cirque {
 

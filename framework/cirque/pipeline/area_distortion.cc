@@ -7,8 +7,8 @@
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/edge_block_assembler.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/math/circle_angle.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/radii/solve_log_radii.h"
 #include "cirque/solver/sparse_cholesky.h"
 

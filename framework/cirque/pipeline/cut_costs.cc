@@ -4,7 +4,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/cuts/edge_cost_file.h"
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {
 namespace {

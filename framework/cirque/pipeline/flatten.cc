@@ -14,9 +14,9 @@
 #include "cirque/angles/targets.h"
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/move_vertices.h"
 #include "cirque/math/parallel_sum.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {

@@ -6,8 +6,8 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/flat_on_input.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
 

@@ -9,7 +9,7 @@
 #include "cirque/cones/registry.h"
 #include "cirque/cones/simple_cones.h"
 #include "cirque/core/name_with_options.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 namespace cirque {
 namespace {

@@ -10,7 +10,7 @@
 #include <Eigen/QR>
 
 #include "cirque/cones/cone_fit.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/area_distortion.h"
 
 namespace cirque {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "cirque/core/name_with_options.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/refine_map.h"
 #include "cirque/layout/seams.h"
-#include "cirque/mesh/corner_angles.h"
 #include "cirque/metrics/injectivity.h"
 
 namespace cirque {

@@ -7,8 +7,8 @@
 #include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/intrinsic/flat_on_input.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/mesh/flat_on_input.h"
 #include "cirque/pipeline/certificate.h"
 
 namespace cirque {

@@ -1,10 +1,10 @@
-#include "cirque/mesh/flat_on_input.h"
+#include "cirque/intrinsic/flat_on_input.h"
 
 #include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 #include "tests/common/surfaces.h"
 

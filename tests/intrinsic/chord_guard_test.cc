@@ -1,4 +1,4 @@
-#include "cirque/mesh/chord_guard.h"
+#include "cirque/intrinsic/chord_guard.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
-#include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/scrambled.h"

@@ -1,10 +1,10 @@
-#include "cirque/mesh/flip_back.h"
+#include "cirque/intrinsic/flip_back.h"
 
 #include <optional>
 
 #include <glog/logging.h>
 
-#include "cirque/mesh/flip_complex.h"
+#include "cirque/intrinsic/flip_complex.h"
 
 namespace cirque {
 namespace {

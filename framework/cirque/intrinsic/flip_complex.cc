@@ -1,4 +1,4 @@
-#include "cirque/mesh/flip_complex.h"
+#include "cirque/intrinsic/flip_complex.h"
 
 #include <algorithm>
 #include <cmath>

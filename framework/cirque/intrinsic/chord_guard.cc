@@ -1,4 +1,4 @@
-#include "cirque/mesh/chord_guard.h"
+#include "cirque/intrinsic/chord_guard.h"
 
 #include <algorithm>
 #include <limits>

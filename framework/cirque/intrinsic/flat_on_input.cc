@@ -1,10 +1,10 @@
-#include "cirque/mesh/flat_on_input.h"
+#include "cirque/intrinsic/flat_on_input.h"
 
 #include <cmath>
 #include <complex>
 
 #include "cirque/core/parallel.h"
-#include "cirque/mesh/flip_complex.h"
+#include "cirque/intrinsic/flip_complex.h"
 
 namespace cirque {
 namespace {

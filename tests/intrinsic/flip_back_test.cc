@@ -1,4 +1,4 @@
-#include "cirque/mesh/flip_back.h"
+#include "cirque/intrinsic/flip_back.h"
 
 #include <cmath>
 #include <set>

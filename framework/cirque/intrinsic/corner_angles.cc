@@ -1,4 +1,4 @@
-#include "cirque/mesh/corner_angles.h"
+#include "cirque/intrinsic/corner_angles.h"
 
 #include <algorithm>
 #include <array>

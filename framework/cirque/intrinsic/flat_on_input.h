@@ -4,7 +4,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 namespace cirque {
 

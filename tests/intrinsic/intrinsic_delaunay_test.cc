@@ -1,4 +1,4 @@
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/math/predicates.h"
-#include "cirque/mesh/corner_angles.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/scrambled.h"

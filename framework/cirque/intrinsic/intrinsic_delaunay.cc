@@ -1,4 +1,4 @@
-#include "cirque/mesh/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include <cmath>
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 #include <glog/logging.h>
 
-#include "cirque/mesh/chord_guard.h"
-#include "cirque/mesh/corner_angles.h"
-#include "cirque/mesh/flip_complex.h"
+#include "cirque/intrinsic/chord_guard.h"
+#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/flip_complex.h"
 
 namespace cirque {
 namespace {
