@@ -7,7 +7,7 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 
 #include "bench/registration.h"

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/mesh/con_file.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/con_file.h"
+#include "cirque/io/io.h"
 
 #include "experiments/circle_patterns/measures.h"
 #include "experiments/circle_patterns/prescriptions.h"

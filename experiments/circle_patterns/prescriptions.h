@@ -6,7 +6,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/cuts/cut_file.h"
-#include "cirque/mesh/cone_file.h"
+#include "cirque/io/cone_file.h"
 
 #include "experiments/circle_patterns/run.h"
 

@@ -12,9 +12,9 @@
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
 #include "cirque/intrinsic/flip_back.h"
-#include "cirque/mesh/con_file.h"
+#include "cirque/io/con_file.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/hole_filling.h"
-#include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
 

@@ -6,8 +6,8 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/timer.h"
+#include "cirque/io/io.h"
 #include "cirque/layout/latlong.h"
-#include "cirque/mesh/io.h"
 #include "cirque/mesh/preflight.h"
 
 #include "experiments/circle_patterns/file_numbering.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cirque/mesh/text_writer.h"
+#include "cirque/io/text_writer.h"
 
 namespace cirque {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cirque/domains/sphere.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque {
 

@@ -6,7 +6,7 @@
 #include "cirque/angles/registry.h"
 #include "cirque/energy/dual_angle_energy.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque {

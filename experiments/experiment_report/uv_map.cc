@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque::experiment_report {

@@ -7,7 +7,7 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/timer.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/mesh/subdivision.h"
 

@@ -5,7 +5,7 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/timer.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 
 namespace cirque {
 namespace {

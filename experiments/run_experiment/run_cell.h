@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cirque/core/types.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/common/reference_factorization.h"

@@ -5,7 +5,7 @@
 
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/status.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque::verify_map {
 

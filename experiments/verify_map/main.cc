@@ -9,7 +9,7 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/metrics/measure_files.h"
 
 #include "experiments/common/flag_parsing.h"

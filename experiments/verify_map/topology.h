@@ -4,7 +4,7 @@
 
 #include "cirque/core/status.h"
 #include "cirque/core/types.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque::verify_map {
 

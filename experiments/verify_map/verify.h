@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 #include "experiments/verify_map/angle_check.h"
 #include "experiments/verify_map/correspondence.h"

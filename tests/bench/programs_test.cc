@@ -10,7 +10,7 @@
 #include "cirque/energy/angle_objective.h"
 #include "cirque/energy/registry.h"
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "tests/common/paths.h"

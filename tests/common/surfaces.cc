@@ -9,7 +9,7 @@
 
 #include "cirque/generators/generators.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 
 #include "tests/common/paths.h"
 

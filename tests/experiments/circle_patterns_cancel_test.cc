@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 
 #include "experiments/circle_patterns/run.h"
 

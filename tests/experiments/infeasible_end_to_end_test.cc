@@ -11,7 +11,7 @@
 #include "cirque/angles/targets.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/domains/domain.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/circle_patterns/run.h"

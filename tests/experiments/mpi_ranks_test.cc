@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/solver/multigrid.h"
 
 #include "tests/common/paths.h"

@@ -9,8 +9,8 @@
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/generators/generators.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/mesh/con_file.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/con_file.h"
+#include "cirque/io/io.h"
 
 #include "tests/common/run_program.h"
 #include "tests/common/surfaces.h"

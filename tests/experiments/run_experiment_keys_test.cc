@@ -8,7 +8,7 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/registry.h"
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/config.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 
 #include "experiments/run_experiment/runner.h"
 #include "experiments/run_experiment/worker_pool.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 
 #include "tests/common/run_program.h"
 

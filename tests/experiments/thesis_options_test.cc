@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/generators/generators.h"
-#include "cirque/mesh/con_file.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/con_file.h"
+#include "cirque/io/io.h"
 
 #include "tests/common/run_program.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 #include "experiments/verify_map/verify.h"
 

@@ -11,7 +11,7 @@
 #include "cirque/generators/known_maps.h"
 #include "cirque/math/predicates.h"
 
-#include "tests/mesh/soup_topology.h"
+#include "tests/io/soup_topology.h"
 
 namespace cirque {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque::testing {
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 
 #include "tests/common/paths.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cirque/core/text.h"
-#include "cirque/mesh/io.h"
+#include "cirque/io/io.h"
 #include "cirque/metrics/colour_scale.h"
 
 #include "tests/common/run_program.h"

@@ -8,7 +8,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/energy.h"
-#include "cirque/mesh/cone_file.h"
+#include "cirque/io/cone_file.h"
 #include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {

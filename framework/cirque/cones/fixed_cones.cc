@@ -1,6 +1,6 @@
 #include "cirque/cones/fixed_cones.h"
 
-#include "cirque/mesh/cone_file.h"
+#include "cirque/io/cone_file.h"
 
 namespace cirque {
 

@@ -9,8 +9,8 @@
 #include <glog/logging.h>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/mesh/file_content.h"
-#include "cirque/mesh/text_scanner.h"
+#include "cirque/io/file_content.h"
+#include "cirque/io/text_scanner.h"
 
 namespace cirque {
 namespace {

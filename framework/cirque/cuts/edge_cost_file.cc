@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/file_content.h"
-#include "cirque/mesh/text_scanner.h"
+#include "cirque/io/file_content.h"
+#include "cirque/io/text_scanner.h"
 
 namespace cirque {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque {
 

@@ -8,10 +8,10 @@
 
 #include "cirque/core/disjoint_sets.h"
 #include "cirque/core/parallel.h"
+#include "cirque/io/point_index.h"
 #include "cirque/mesh/fan_split.h"
 #include "cirque/mesh/gluing.h"
 #include "cirque/mesh/orientation.h"
-#include "cirque/mesh/point_index.h"
 #include "cirque/mesh/preflight_text.h"
 
 namespace cirque {

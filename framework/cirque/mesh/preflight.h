@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque {
 

@@ -6,7 +6,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/mesh/polygon_soup.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque {
 

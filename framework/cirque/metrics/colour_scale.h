@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/mesh/coloured_ply.h"
+#include "cirque/io/coloured_ply.h"
 
 namespace cirque {
 

@@ -10,7 +10,7 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
-#include "cirque/mesh/text_writer.h"
+#include "cirque/io/text_writer.h"
 #include "cirque/metrics/colour_scale.h"
 #include "cirque/metrics/registry.h"
 

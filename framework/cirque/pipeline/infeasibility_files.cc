@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/mesh/coloured_ply.h"
+#include "cirque/io/coloured_ply.h"
 
 namespace cirque {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
-#include "cirque/mesh/cone_file.h"
+#include "cirque/io/cone_file.h"
 #include "cirque/pipeline/options.h"
 
 namespace cirque {

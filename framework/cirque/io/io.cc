@@ -1,0 +1,106 @@
+#include "cirque/io/io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cirque/core/atomic_file.h"
+#include "cirque/core/registry.h"
+#include "cirque/core/text.h"
+#include "cirque/io/file_content.h"
+#include "cirque/io/obj_reader.h"
+#include "cirque/io/obj_writer.h"
+#include "cirque/io/off_reader.h"
+#include "cirque/io/off_writer.h"
+#include "cirque/io/ply_reader.h"
+#include "cirque/io/ply_writer.h"
+#include "cirque/io/stl_reader.h"
+
+namespace cirque {
+namespace {
+
+struct MeshFormat {
+  StatusOr<PolygonSoup> (*parse)(const std::string& path, std::string_view content);
+  TextPieces (*format)(const PolygonSoup& mesh);  ///< null: only read
+  bool holds_texture;                             ///< whether `format` writes UVs
+};
+
+const Registry<MeshFormat>& MeshFormats() {
+  static const Registry<MeshFormat> formats("mesh format",
+                                            {
+                                                {"obj", {ParseObj, FormatObj, true}},
+                                                {"off", {ParseOff, FormatOff, false}},
+                                                {"ply", {ParsePly, FormatPly, false}},
+                                                {"stl", {ParseStl, nullptr, false}},
+                                            });
+  return formats;
+}
+
+/// What follows the last dot of the file's name, in lower case.
+std::string Extension(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = name.rfind('.');
+  std::string extension = dot == std::string::npos ? "" : name.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+template <class Point>
+Status CheckFinite(const char* kind, const std::vector<Point>& points) {
+  const auto bad =
+      std::find_if(points.begin(), points.end(), [](const auto& p) { return !p.allFinite(); });
+  if (bad == points.end()) return Status();
+  return Status::InvalidInput(
+      fmt::format("{} {} (counted from 1) is not finite; no such mesh is written", kind,
+                  bad - points.begin() + 1));
+}
+
+Status CheckWritable(const MeshFormat& format, const PolygonSoup& mesh) {
+  if (!format.format || (!mesh.texture.empty() && !format.holds_texture)) {
+    return Status::InvalidInput(fmt::format("this format cannot hold {}; write one of: {}",
+                                            format.format ? "UVs" : "the mesh exactly",
+                                            format.format ? "obj" : Join(WritableExtensions())));
+  }
+  const Status status = CheckFinite("vertex", mesh.position);
+  return status.ok() ? CheckFinite("texture coordinate", mesh.texture) : status;
+}
+
+}  // namespace
+
+StatusOr<PolygonSoup> ReadMesh(const std::string& path) {
+  const StatusOr<MeshFormat> format = MeshFormats().Find(Extension(path));
+  if (!format.ok()) return format.status().In(path);
+  const StatusOr<std::string> content = ReadFileContent(path);
+  if (!content.ok()) return content.status();
+  StatusOr<PolygonSoup> soup = format->parse(path, *content);
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max();
+  if (soup.ok() && (soup->corner.size() > kMost || soup->position.size() > kMost)) {
+    return Status::InvalidInput(
+        fmt::format("{}: more than {} corners or vertices; split the mesh", path, kMost));
+  }
+  return soup;
+}
+
+Status WriteMesh(const std::string& path, const PolygonSoup& mesh) {
+  const StatusOr<MeshFormat> format = MeshFormats().Find(Extension(path));
+  if (!format.ok()) return format.status().In(path);
+  const Status status = CheckWritable(*format, mesh);
+  return status.ok() ? WriteFileAtomically(path, format->format(mesh)) : status.In(path);
+}
+
+std::vector<std::string> ReadableExtensions() { return MeshFormats().Names(); }
+
+std::vector<std::string> WritableExtensions() {
+  std::vector<std::string> writable;
+  for (const std::string& name : MeshFormats().Names()) {
+    if ((*MeshFormats().Find(name)).format) writable.push_back(name);
+  }
+  return writable;
+}
+
+}  // namespace cirque

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/core/status.h"
+#include "cirque/io/polygon_soup.h"
+
+namespace cirque {
+
+/// Reads a mesh by its file name's extension (any case): obj, off, ply, stl. Errors name file:line
+/// (binary files: the byte), what was expected, and what to do. Nothing is repaired here, and
+/// coordinates that are not finite are read as such: see preflight.h.
+StatusOr<PolygonSoup> ReadMesh(const std::string& path);
+
+/// Writes a mesh by its file name's extension, atomically, coordinates in shortest round-trip
+/// digits. Refuses coordinates that are not finite, and texture coordinates where the format is not
+/// obj.
+Status WriteMesh(const std::string& path, const PolygonSoup& mesh);
+
+/// The extensions that ReadMesh and WriteMesh know, in the order of the table.
+std::vector<std::string> ReadableExtensions();
+std::vector<std::string> WritableExtensions();
+
+}  // namespace cirque
