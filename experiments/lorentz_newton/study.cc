@@ -7,8 +7,8 @@
 #include <Eigen/LU>
 
 #include "cirque/energy/lorentz_energy.h"
+#include "cirque/layout/lorentz_normalization.h"
 #include "cirque/math/lorentz.h"
-#include "cirque/solver/lorentz_normalization.h"
 #include "cirque/solver/newton_strategy.h"
 
 namespace cirque {

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-#include "cirque/solver/log_scale_normalization.h"
-#include "cirque/solver/lorentz_normalization.h"
+#include "cirque/layout/log_scale_normalization.h"
+#include "cirque/layout/lorentz_normalization.h"
 
 namespace cirque {
 namespace {

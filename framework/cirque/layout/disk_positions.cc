@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/solver/lorentz_normalization.h"
+#include "cirque/layout/lorentz_normalization.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/solver/lorentz_normalization.h"
+#include "cirque/layout/lorentz_normalization.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cirque/solver/log_scale_normalization.h"
+#include "cirque/layout/log_scale_normalization.h"
 
 #include <cmath>
 #include <random>
