@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cirque/energy/laplacian_assembler.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 #include "bench/terrain.h"
 

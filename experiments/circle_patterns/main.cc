@@ -13,7 +13,7 @@
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/solver/multigrid.h"
+#include "cirque/linear/multigrid.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/domains.h"

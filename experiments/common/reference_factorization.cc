@@ -6,7 +6,7 @@
 #ifdef CIRQUE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #else
-#include "cirque/solver/eigen_cholesky.h"
+#include "cirque/linear/eigen_cholesky.h"
 #endif
 #include <glog/logging.h>
 

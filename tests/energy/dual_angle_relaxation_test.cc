@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/linear/sparse_cholesky.h"
 #include "cirque/solver/regularization.h"
-#include "cirque/solver/sparse_cholesky.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/energy/relaxation_checks.h"

@@ -9,7 +9,7 @@
 
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
-#include "cirque/solver/multigrid.h"
+#include "cirque/linear/multigrid.h"
 
 #include "tests/common/paths.h"
 #include "tests/common/run_program.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/solver/reused_factor.h"
+#include "cirque/linear/reused_factor.h"
 
 #include "tests/solver/strategy_fixtures.h"
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/solver/amg_system_solver.h"
+#include "cirque/linear/amg_system_solver.h"
 
 #include "tests/common/surfaces.h"
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 #include "tests/solver/strategy_fixtures.h"
 
 namespace cirque {

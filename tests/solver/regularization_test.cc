@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/energy/laplacian_assembler.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 #include "tests/solver/strategy_fixtures.h"
 

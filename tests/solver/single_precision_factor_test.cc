@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/linear/reused_factor.h"
 #include "cirque/solver/cholmod_cholesky.h"
-#include "cirque/solver/reused_factor.h"
 
+#include "tests/linear/grid_matrix.h"
 #include "tests/solver/analysed_factor.h"
-#include "tests/solver/grid_matrix.h"
 
 namespace cirque {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "cirque/core/parallel.h"
 
+#include "tests/linear/grid_matrix.h"
 #include "tests/solver/analysed_factor.h"
-#include "tests/solver/grid_matrix.h"
 
 namespace cirque {
 namespace {

@@ -19,10 +19,10 @@ constexpr int kMostLines = 500;
 // The floor of a folder of framework/cirque; folders of one floor are siblings.
 std::optional<int> Floor(const std::string& folder) {
   static const std::map<std::string, int> kFloors = {
-      {"core", 0},   {"math", 1},      {"mesh", 3},       {"energy", 3},
-      {"solver", 4}, {"angles", 5},    {"cones", 5},      {"cuts", 5},
-      {"layout", 5}, {"radii", 5},     {"metrics", 5},    {"pipeline", 6},
-      {"io", 2},     {"intrinsic", 2}, {"generators", 3}, {"domains", 7}};
+      {"core", 0},       {"math", 1},     {"mesh", 3},   {"energy", 3}, {"solver", 4},
+      {"angles", 5},     {"cones", 5},    {"cuts", 5},   {"layout", 5}, {"radii", 5},
+      {"metrics", 5},    {"pipeline", 6}, {"linear", 2}, {"io", 2},     {"intrinsic", 2},
+      {"generators", 3}, {"domains", 7}};
   const auto found = kFloors.find(folder);
   if (found == kFloors.end()) return std::nullopt;
   return found->second;

@@ -11,7 +11,7 @@
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/timer.h"
 #include "cirque/energy/quadratic_objective.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 namespace cirque {
 namespace {

@@ -9,7 +9,7 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/energy.h"
 #include "cirque/io/cone_file.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 namespace cirque {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cirque/cones/cone_heuristic.h"
-#include "cirque/solver/box_program.h"
+#include "cirque/linear/box_program.h"
 
 namespace cirque {
 

@@ -2,14 +2,12 @@
 
 #include <vector>
 
-#include <Eigen/SparseCore>
 #include <ceres/first_order_function.h>
 #include <ceres/problem.h>
 
-namespace cirque {
+#include "cirque/linear/sparse_matrix.h"
 
-/// A symmetric matrix by its lower triangle, compressed by columns.
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+namespace cirque {
 
 /// What AddResidualBlocks gives.
 enum class ResidualForm {

@@ -10,7 +10,7 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seam_constraints.h"
-#include "cirque/solver/hermitian_cholesky.h"
+#include "cirque/linear/hermitian_cholesky.h"
 
 namespace cirque {
 

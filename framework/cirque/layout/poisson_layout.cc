@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 namespace cirque {
 namespace {

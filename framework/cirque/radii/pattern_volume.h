@@ -5,7 +5,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/circle_pattern_energy.h"
-#include "cirque/solver/system_solver.h"
+#include "cirque/linear/system_solver.h"
 
 namespace cirque {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cirque/core/option_table.h"
+#include "cirque/linear/system_solver.h"
 #include "cirque/solver/solve_run.h"
-#include "cirque/solver/system_solver.h"
 
 namespace cirque {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/solver/amg_system_solver.h"
+#include "cirque/linear/amg_system_solver.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "cirque/linear/reused_factor.h"
 #include "cirque/solver/inexact_newton.h"
-#include "cirque/solver/reused_factor.h"
 
 namespace cirque {
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {

@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "cirque/linear/sparse_cholesky.h"
 #include "cirque/solver/newton_loop.h"
-#include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {
 namespace {

@@ -1,10 +1,10 @@
+#include "cirque/linear/reused_factor.h"
 #include "cirque/solver/auto_strategy.h"
 #include "cirque/solver/ceres_line_search_strategy.h"
 #include "cirque/solver/ceres_trust_region_strategy.h"
 #include "cirque/solver/newton_amg_strategy.h"
 #include "cirque/solver/newton_cg_strategy.h"
 #include "cirque/solver/newton_strategy.h"
-#include "cirque/solver/reused_factor.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cirque/core/parallel.h"
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "cirque/core/timer.h"
+#include "cirque/linear/sparse_cholesky.h"
 #include "cirque/solver/kinks.h"
 #include "cirque/solver/solver_strategy.h"
-#include "cirque/solver/sparse_cholesky.h"
 
 namespace cirque {
 

@@ -12,7 +12,7 @@
 #include "cirque/core/registry.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/energy/energy.h"
-#include "cirque/solver/system_solver.h"
+#include "cirque/linear/system_solver.h"
 
 namespace cirque {
 

@@ -7,7 +7,7 @@
 
 #include <cholmod.h>
 
-#include "cirque/energy/energy.h"
+#include "cirque/linear/sparse_matrix.h"
 #include "cirque/solver/dense_trapezoid.h"
 #include "cirque/solver/supernodal_solver.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cirque/solver/multigrid.h"
+#include "cirque/linear/multigrid.h"
 
 namespace cirque {
 

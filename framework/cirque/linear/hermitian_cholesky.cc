@@ -1,4 +1,4 @@
-#include "cirque/solver/hermitian_cholesky.h"
+#include "cirque/linear/hermitian_cholesky.h"
 
 #ifdef CIRQUE_CHOLMOD
 #include <Eigen/CholmodSupport>

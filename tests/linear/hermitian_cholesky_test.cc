@@ -1,4 +1,4 @@
-#include "cirque/solver/hermitian_cholesky.h"
+#include "cirque/linear/hermitian_cholesky.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

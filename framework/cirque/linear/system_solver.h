@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cirque/core/solve_summary.h"
-#include "cirque/energy/energy.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

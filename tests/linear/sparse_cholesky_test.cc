@@ -1,8 +1,8 @@
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 
 namespace cirque {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "cirque/energy/energy.h"
-#include "cirque/solver/conjugate_gradients.h"
+#include "cirque/linear/conjugate_gradients.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "cirque/energy/energy.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <Eigen/SparseCore>
+
 #include "cirque/core/parallel.h"
-#include "cirque/energy/energy.h"
 
 namespace cirque {
 
-/// Symmetric matrices that are given by their compressed lower triangle, each column beginning with
-/// its diagonal entry.
+/// A symmetric matrix by its lower triangle, compressed by columns. The functions below take those
+/// whose columns each begin with the diagonal entry.
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 inline double DiagonalEntry(const SparseMatrix& lower, int j) {
   return lower.valuePtr()[lower.outerIndexPtr()[j]];

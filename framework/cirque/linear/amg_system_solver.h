@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "cirque/solver/multigrid.h"
-#include "cirque/solver/reused_factor.h"
+#include "cirque/linear/multigrid.h"
+#include "cirque/linear/reused_factor.h"
 
 namespace cirque {
 

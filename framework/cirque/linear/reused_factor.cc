@@ -1,12 +1,12 @@
-#include "cirque/solver/reused_factor.h"
+#include "cirque/linear/reused_factor.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "cirque/core/timer.h"
-#include "cirque/solver/conjugate_gradients.h"
-#include "cirque/solver/local_smoother.h"
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/linear/conjugate_gradients.h"
+#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/solver/amg_system_solver.h"
+#include "cirque/linear/amg_system_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "cirque/core/timer.h"
-#include "cirque/solver/conjugate_gradients.h"
-#include "cirque/solver/eliminating_cholesky.h"
-#include "cirque/solver/local_smoother.h"
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/linear/conjugate_gradients.h"
+#include "cirque/linear/eliminating_cholesky.h"
+#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 namespace {

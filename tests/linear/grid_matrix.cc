@@ -1,4 +1,4 @@
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "cirque/solver/eliminating_cholesky.h"
+#include "cirque/linear/eliminating_cholesky.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cirque/core/parallel.h"
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 namespace {

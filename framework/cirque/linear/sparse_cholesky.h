@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cirque/core/registry.h"
-#include "cirque/energy/energy.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

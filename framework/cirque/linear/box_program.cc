@@ -1,4 +1,4 @@
-#include "cirque/solver/box_program.h"
+#include "cirque/linear/box_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 namespace cirque {
 namespace {

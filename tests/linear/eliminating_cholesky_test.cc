@@ -1,4 +1,4 @@
-#include "cirque/solver/eliminating_cholesky.h"
+#include "cirque/linear/eliminating_cholesky.h"
 
 #include <algorithm>
 #include <cmath>

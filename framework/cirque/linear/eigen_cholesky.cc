@@ -1,4 +1,4 @@
-#include "cirque/solver/eigen_cholesky.h"
+#include "cirque/linear/eigen_cholesky.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -1,12 +1,12 @@
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 #include <algorithm>
 
 #include <glog/logging.h>
 
+#include "cirque/linear/eigen_cholesky.h"
+#include "cirque/linear/eliminating_cholesky.h"
 #include "cirque/solver/cholmod_cholesky.h"
-#include "cirque/solver/eigen_cholesky.h"
-#include "cirque/solver/eliminating_cholesky.h"
 
 namespace cirque {
 

@@ -1,4 +1,4 @@
-#include "cirque/solver/multigrid.h"
+#include "cirque/linear/multigrid.h"
 
 #include <dlfcn.h>
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "cirque/energy/energy.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "cirque/solver/sparse_cholesky.h"
-#include "cirque/solver/system_solver.h"
+#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/system_solver.h"
 
 namespace cirque {
 

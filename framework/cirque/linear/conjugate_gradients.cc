@@ -1,4 +1,4 @@
-#include "cirque/solver/conjugate_gradients.h"
+#include "cirque/linear/conjugate_gradients.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "cirque/solver/reused_factor.h"
+#include "cirque/linear/reused_factor.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "cirque/solver/auto_strategy.h"
 
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/solver/local_smoother.h"
+#include "cirque/linear/local_smoother.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "cirque/core/counting_sort.h"
 #include "cirque/core/disjoint_sets.h"
 #include "cirque/core/parallel.h"
-#include "cirque/solver/lower_triangle.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
 

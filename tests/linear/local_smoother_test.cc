@@ -1,4 +1,4 @@
-#include "cirque/solver/local_smoother.h"
+#include "cirque/linear/local_smoother.h"
 
 #include <functional>
 #include <memory>
@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/parallel.h"
-#include "cirque/solver/conjugate_gradients.h"
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/conjugate_gradients.h"
+#include "cirque/linear/sparse_cholesky.h"
 
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 
 namespace cirque {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
 namespace cirque {
 

@@ -1,12 +1,12 @@
-#include "cirque/solver/conjugate_gradients.h"
+#include "cirque/linear/conjugate_gradients.h"
 
 #include <functional>
 
 #include <gtest/gtest.h>
 
-#include "cirque/solver/sparse_cholesky.h"
+#include "cirque/linear/sparse_cholesky.h"
 
-#include "tests/solver/grid_matrix.h"
+#include "tests/linear/grid_matrix.h"
 
 namespace cirque {
 namespace {
