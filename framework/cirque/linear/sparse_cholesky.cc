@@ -4,9 +4,9 @@
 
 #include <glog/logging.h>
 
+#include "cirque/linear/cholmod/cholmod_cholesky.h"
 #include "cirque/linear/eigen_cholesky.h"
 #include "cirque/linear/eliminating_cholesky.h"
-#include "cirque/solver/cholmod_cholesky.h"
 
 namespace cirque {
 

@@ -1,17 +1,17 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/single_precision_factor.h"
+#include "cirque/linear/cholmod/single_precision_factor.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/linear/cholmod/cholmod_cholesky.h"
 #include "cirque/linear/reused_factor.h"
-#include "cirque/solver/cholmod_cholesky.h"
 
+#include "tests/linear/cholmod/analysed_factor.h"
 #include "tests/linear/grid_matrix.h"
-#include "tests/solver/analysed_factor.h"
 
 namespace cirque {
 namespace {

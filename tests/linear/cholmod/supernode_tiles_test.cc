@@ -1,5 +1,5 @@
 // The dense triangular solves in single precision against Eigen's on the rounded trapezoid.
-#include "cirque/solver/supernode_tiles.h"
+#include "cirque/linear/cholmod/supernode_tiles.h"
 
 #include <tuple>
 

@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/single_precision_factor.h"
+#include "cirque/linear/cholmod/single_precision_factor.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/parallel.h"
-#include "cirque/solver/supernode_tiles.h"
+#include "cirque/linear/cholmod/supernode_tiles.h"
 
 namespace cirque {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <cholmod.h>
 
+#include "cirque/linear/cholmod/dense_trapezoid.h"
+#include "cirque/linear/cholmod/supernodal_solver.h"
 #include "cirque/linear/sparse_matrix.h"
-#include "cirque/solver/dense_trapezoid.h"
-#include "cirque/solver/supernodal_solver.h"
 
 namespace cirque {
 

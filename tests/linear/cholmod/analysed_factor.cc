@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "tests/solver/analysed_factor.h"
+#include "tests/linear/cholmod/analysed_factor.h"
 
 #include <utility>
 

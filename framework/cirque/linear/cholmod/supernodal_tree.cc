@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/supernodal_tree.h"
+#include "cirque/linear/cholmod/supernodal_tree.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/supernodal_solver.h"
+#include "cirque/linear/cholmod/supernodal_solver.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "cirque/solver/supernodal_tree.h"
+#include "cirque/linear/cholmod/supernodal_tree.h"
 
 namespace cirque {
 

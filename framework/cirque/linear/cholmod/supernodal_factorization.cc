@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/supernodal_factorization.h"
+#include "cirque/linear/cholmod/supernodal_factorization.h"
 
 #include <algorithm>
 #include <atomic>

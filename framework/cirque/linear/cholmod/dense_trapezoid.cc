@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/dense_trapezoid.h"
+#include "cirque/linear/cholmod/dense_trapezoid.h"
 
 #include <algorithm>
 #include <cmath>

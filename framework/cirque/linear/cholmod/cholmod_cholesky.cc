@@ -1,6 +1,6 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/cholmod_cholesky.h"
+#include "cirque/linear/cholmod/cholmod_cholesky.h"
 
 #include <cmath>
 #include <memory>
@@ -10,9 +10,9 @@
 
 #include <cholmod.h>
 
-#include "cirque/solver/large_buffer.h"
-#include "cirque/solver/single_precision_factor.h"
-#include "cirque/solver/supernodal_factorization.h"
+#include "cirque/linear/cholmod/large_buffer.h"
+#include "cirque/linear/cholmod/single_precision_factor.h"
+#include "cirque/linear/cholmod/supernodal_factorization.h"
 
 namespace cirque {
 namespace {

@@ -1,4 +1,4 @@
-#include "cirque/solver/supernode_tiles.h"
+#include "cirque/linear/cholmod/supernode_tiles.h"
 
 #include <algorithm>
 #include <array>

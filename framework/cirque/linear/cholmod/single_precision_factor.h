@@ -8,7 +8,7 @@
 
 #include <cholmod.h>
 
-#include "cirque/solver/supernodal_solver.h"
+#include "cirque/linear/cholmod/supernodal_solver.h"
 
 namespace cirque {
 

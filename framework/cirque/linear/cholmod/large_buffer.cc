@@ -1,4 +1,4 @@
-#include "cirque/solver/large_buffer.h"
+#include "cirque/linear/cholmod/large_buffer.h"
 
 #include <algorithm>
 

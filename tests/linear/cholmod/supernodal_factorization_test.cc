@@ -1,13 +1,13 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/solver/supernodal_factorization.h"
+#include "cirque/linear/cholmod/supernodal_factorization.h"
 
 #include <gtest/gtest.h>
 
 #include "cirque/core/parallel.h"
 
+#include "tests/linear/cholmod/analysed_factor.h"
 #include "tests/linear/grid_matrix.h"
-#include "tests/solver/analysed_factor.h"
 
 namespace cirque {
 namespace {
