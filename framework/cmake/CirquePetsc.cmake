@@ -21,7 +21,7 @@ if(NOT CIRQUE_PETSC)
 endif()
 
 set(MODULE_DIR ${CMAKE_INSTALL_LIBDIR}/cirque)
-file(GLOB PETSC_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cirque/solver/petsc/*.cc)
+file(GLOB PETSC_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cirque/linear/petsc/*.cc)
 add_library(cirque_petsc MODULE ${PETSC_SOURCES})
 set_target_properties(cirque_petsc PROPERTIES
   PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${MODULE_DIR})
@@ -34,7 +34,7 @@ foreach(COMPONENT programs development)
 endforeach()
 
 target_compile_definitions(cirque PRIVATE CIRQUE_PETSC)
-set_source_files_properties(cirque/solver/multigrid.cc PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(cirque/linear/multigrid.cc PROPERTIES COMPILE_DEFINITIONS
   "CIRQUE_PETSC_MODULE=\"${MODULE_DIR}/cirque_petsc.so\";\
 CIRQUE_PETSC_INSTALLED_MODULE=\"${CMAKE_INSTALL_FULL_LIBDIR}/cirque/cirque_petsc.so\"")
 # Whatever runs a program may ask for the module.

@@ -1,4 +1,4 @@
-#include "cirque/solver/petsc/rank_system.h"
+#include "cirque/linear/petsc/rank_system.h"
 
 #include <type_traits>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "cirque/solver/petsc/rank_team.h"
+#include "cirque/linear/petsc/rank_team.h"
 
 namespace cirque {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cirque/solver/petsc/rank_system.h"
-#include "cirque/solver/petsc/session.h"
+#include "cirque/linear/petsc/rank_system.h"
+#include "cirque/linear/petsc/session.h"
 
 namespace cirque {
 

@@ -1,4 +1,4 @@
-#include "cirque/solver/petsc/rank_team.h"
+#include "cirque/linear/petsc/rank_team.h"
 
 #include <chrono>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "cirque/solver/petsc/session.h"
+#include "cirque/linear/petsc/session.h"
 
 #include <unistd.h>
 
