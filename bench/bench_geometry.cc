@@ -6,7 +6,7 @@
 
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
@@ -63,7 +63,7 @@ const Parameterization& FlatTerrain(int triangles) {
 void TimeDirections(benchmark::State& state, int triangles) {
   const Triangulation& t = BenchSurface("bumpy_terrain", triangles).triangulation;
   const Parameterization& map = FlatTerrain(triangles);
-  const FlatOnInput& flat = map.flat.on_input;
+  const InputChart& flat = map.flat.on_input;
   PlanarLayout layout;
   for (auto _ : state) layout = LayOutPatches(t, flat.angles, flat.lengths, map.cut);
   state.counters["closure"] = layout.closure;
@@ -72,7 +72,7 @@ void TimeDirections(benchmark::State& state, int triangles) {
 void TimeLeastSquares(benchmark::State& state, int triangles) {
   const Triangulation& t = BenchSurface("bumpy_terrain", triangles).triangulation;
   const Parameterization& map = FlatTerrain(triangles);
-  const FlatOnInput& flat = map.flat.on_input;
+  const InputChart& flat = map.flat.on_input;
   StatusOr<PlanarLayout> layout = PlanarLayout();
   for (auto _ : state) layout = LayOutByLeastSquares(t, flat.angles, flat.lengths, map.cut);
   if (!layout.ok()) return state.SkipWithError(layout.status().message().c_str());

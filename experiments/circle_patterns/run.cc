@@ -135,7 +135,7 @@ Status ParameterizeAsAsked(const CirclePatternsJob& job, Index num_file_vertices
 
 /// The faces and vertices that carry a proof, as a table and as a coloured mesh.
 Status WriteCarriers(const std::string& stem, const Surface& surface,
-                     const InfeasibilityProof& proof, std::ostream& report) {
+                     const InfeasibilityCertificate& proof, std::ostream& report) {
   const std::string csv = stem + ".infeasible.csv", ply = stem + ".infeasible.ply";
   if (Status s = WriteFileAtomically(csv, InfeasibilityCsv(proof)); !s.ok()) return s;
   if (Status s = WriteFileAtomically(ply, InfeasibilityPly(surface, proof)); !s.ok()) return s;
@@ -183,7 +183,7 @@ Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, co
   const std::string path = CertificatePath(job);
   if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
   report << "certificate " << path << "\n";
-  const InfeasibilityProof& proof = certificate->infeasibility;
+  const InfeasibilityCertificate& proof = certificate->infeasibility;
   if (!proof.empty()) {
     if (Status s = WriteCarriers(CarrierStem(job), surface, proof, report); !s.ok()) return s;
   }

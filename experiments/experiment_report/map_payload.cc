@@ -16,7 +16,7 @@ namespace cirque::experiment_report {
 namespace {
 
 constexpr int kScaleColours = 64;
-const std::array<std::string, 2> kShownMetrics = {"quasi_conformal", "log_area_ratio"};
+const std::array<std::string, 2> kShownMeasures = {"quasi_conformal", "log_area_ratio"};
 
 /// One coordinate of every place, and its range.
 template <class Places>
@@ -60,7 +60,7 @@ void AddIndices(const std::vector<Index>& indices, ByteStream* stream) {
 
 /// The face values of a metric, of degenerate faces the low end of the scale.
 void AddColours(const MappedFaces& faces, const std::string& name, ByteStream* stream) {
-  const Metric metric = *Metrics().Find(name);
+  const DistortionMeasure metric = *DistortionMeasures().Find(name);
   const Eigen::VectorXd measured = metric.measure(faces).face_values;
   std::vector<double> values(faces.triangulation.num_faces(), metric.least);
   for (Index i = 0; i < faces.num_faces(); ++i) values[faces.face[i]] = measured[i];
@@ -84,7 +84,7 @@ nlohmann::json MapPayload(const UvMap& map) {
   for (int k = 0; k < 2; ++k) AddCoordinates(Coordinate(map.point_uv, k), &stream, &boxes);
   const EdgeLengths lengths = MeasureEdgeLengths(map.surface);
   const MappedFaces faces = MeasureFaces(mesh, lengths, map.uv);
-  for (const std::string& metric : kShownMetrics) AddColours(faces, metric, &stream);
+  for (const std::string& metric : kShownMeasures) AddColours(faces, metric, &stream);
   std::vector<Index> point_vertex;
   for (const Index vertex : map.point_vertex) point_vertex.push_back(order.number[vertex]);
   for (const auto& list : {point_vertex, map.point, map.seams, map.boundary}) {
@@ -104,8 +104,8 @@ nlohmann::json MapPayload(const UvMap& map) {
 
 nlohmann::json ColourScales() {
   nlohmann::json scales = nlohmann::json::array();
-  for (const std::string& name : kShownMetrics) {
-    const Metric metric = *Metrics().Find(name);
+  for (const std::string& name : kShownMeasures) {
+    const DistortionMeasure metric = *DistortionMeasures().Find(name);
     nlohmann::json colours = nlohmann::json::array();
     for (int i = 0; i < kScaleColours; ++i) {
       const double t = static_cast<double>(i) / (kScaleColours - 1);

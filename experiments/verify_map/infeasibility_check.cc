@@ -33,12 +33,12 @@ double Rounded(const Fixed& twice_scaled) {
   return cpp_rational(twice_scaled, Fixed(1) << (2 * kFractionBits)).convert_to<double>();
 }
 
-void Expect(bool condition, const std::string& message, ProofReport* report) {
+void Expect(bool condition, const std::string& message, InfeasibilityReport* report) {
   if (!condition) report->errors.push_back(message);
 }
 
 void CheckNumbers(const std::string& key, const std::vector<double>& values, std::size_t size,
-                  ProofReport* report) {
+                  InfeasibilityReport* report) {
   Expect(values.size() == size,
          fmt::format("{} has {} entries instead of {}", key, values.size(), size), report);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -48,7 +48,7 @@ void CheckNumbers(const std::string& key, const std::vector<double>& values, std
 }
 
 void CheckIds(const std::string& key, const std::vector<Index>& ids, Index end, bool increasing,
-              ProofReport* report) {
+              InfeasibilityReport* report) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (ids[i] < 0 || ids[i] >= end) {
       return report->errors.push_back(
@@ -60,7 +60,7 @@ void CheckIds(const std::string& key, const std::vector<Index>& ids, Index end, 
   }
 }
 
-void CheckIntervals(const InfeasibilityProof& proof, ProofReport* report) {
+void CheckIntervals(const InfeasibilityCertificate& proof, InfeasibilityReport* report) {
   for (std::size_t i = 0; i < proof.constrained_vertex.size(); ++i) {
     if (proof.lower_over_pi[i] <= proof.upper_over_pi[i]) continue;
     return report->errors.push_back(fmt::format("the interval of vertex {} is empty: [{}, {}] pi",
@@ -69,7 +69,8 @@ void CheckIntervals(const InfeasibilityProof& proof, ProofReport* report) {
   }
 }
 
-void CheckForm(const InfeasibilityProof& proof, const FanMesh& mesh, ProofReport* report) {
+void CheckForm(const InfeasibilityCertificate& proof, const FanMesh& mesh,
+               InfeasibilityReport* report) {
   const double epsilon = proof.epsilon_over_pi;
   Expect(epsilon >= 0 && epsilon < 1.0 / 3,
          fmt::format("epsilon_over_pi = {} is not in [0, 1/3): no triangle has such angles anyway",
@@ -88,7 +89,8 @@ void CheckForm(const InfeasibilityProof& proof, const FanMesh& mesh, ProofReport
 }
 
 /// Sorts the constrained vertices by what is asked of them.
-void NameConstraints(const InfeasibilityProof& proof, const Surface& surface, ProofReport* report) {
+void NameConstraints(const InfeasibilityCertificate& proof, const Surface& surface,
+                     InfeasibilityReport* report) {
   const FanMesh& mesh = surface.mesh;
   std::vector<Index> corners(mesh.num_vertices, 0);
   std::vector<bool> on_boundary(mesh.num_vertices, false);
@@ -120,7 +122,7 @@ struct Sides {
 /// The maximum over Q_e of p a_l + q a_r is taken at a corner: eps (p + q) + (1 - 3 eps) max(0, p,
 /// q); over [eps, 1 - eps] that of p a is eps p + (1 - 2 eps) max(0, p). So only sums of
 /// multipliers are needed, and epsilon enters once at the end.
-Sides SumSides(const InfeasibilityProof& proof, const Surface& surface) {
+Sides SumSides(const InfeasibilityCertificate& proof, const Surface& surface) {
   const FanMesh& mesh = surface.mesh;
   std::vector<double> of_vertex(mesh.num_vertices, 0.0);
   Sides sides;
@@ -151,7 +153,8 @@ Sides SumSides(const InfeasibilityProof& proof, const Surface& surface) {
   return sides;
 }
 
-void CheckInequality(const InfeasibilityProof& proof, const Surface& surface, ProofReport* report) {
+void CheckInequality(const InfeasibilityCertificate& proof, const Surface& surface,
+                     InfeasibilityReport* report) {
   const Sides sides = SumSides(proof, surface);
   report->evaluated = true;
   const Fixed margin = sides.left - sides.right;
@@ -167,16 +170,17 @@ void CheckInequality(const InfeasibilityProof& proof, const Surface& surface, Pr
 
 }  // namespace
 
-StatusOr<ProofReport> CheckProof(const InfeasibilityProof& given, const PolygonSoup& in) {
+StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& given,
+                                                 const PolygonSoup& in) {
   StatusOr<FanMesh> mesh = FanTriangulate(in);
   if (!mesh.ok()) return mesh.status().In("IN");
   StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
   if (!surface.ok()) return surface.status().In("IN");
-  ProofReport report;
+  InfeasibilityReport report;
   report.num_triangles = surface->mesh.num_triangles();
   report.epsilon_over_pi = given.epsilon_over_pi;
   report.removed_vertex = given.removed_vertex;
-  InfeasibilityProof proof = given;
+  InfeasibilityCertificate proof = given;
   CheckForm(proof, surface->mesh, &report);
   if (report.accepted() && proof.removed_vertex != kNone) {
     RemoveVertex(&*surface, &proof, &report);

@@ -10,7 +10,7 @@
 namespace cirque::verify_map {
 
 /// What became of a proof that a mesh has no coherent angles.
-struct ProofReport {
+struct InfeasibilityReport {
   std::vector<std::string> errors;  ///< why it is rejected; empty for an accepted one
   Index num_triangles = 0;
   double epsilon_over_pi = 0;
@@ -55,13 +55,14 @@ struct ProofReport {
 /// one circle.
 ///
 /// A status is returned when `in` is not an orientable manifold.
-StatusOr<ProofReport> CheckProof(const InfeasibilityProof& proof, const PolygonSoup& in);
+StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& proof,
+                                                 const PolygonSoup& in);
 
 /// Reads the "infeasibility" member of a certificate. Errors name the key and what was expected.
-StatusOr<InfeasibilityProof> ReadProof(const std::string& path);
-StatusOr<InfeasibilityProof> ParseProof(const std::string& json);
+StatusOr<InfeasibilityCertificate> ReadInfeasibilityCertificate(const std::string& path);
+StatusOr<InfeasibilityCertificate> ParseInfeasibilityCertificate(const std::string& json);
 
-std::string ToText(const ProofReport& report);
-std::string ToJson(const ProofReport& report);
+std::string ToText(const InfeasibilityReport& report);
+std::string ToJson(const InfeasibilityReport& report);
 
 }  // namespace cirque::verify_map

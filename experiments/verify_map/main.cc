@@ -77,11 +77,11 @@ int Conclude(const Report& report, bool good) {
 }
 
 int VerifyInfeasibility(const std::vector<std::string>& files) {
-  const StatusOr<InfeasibilityProof> proof = ReadProof(FLAGS_infeasible);
+  const StatusOr<InfeasibilityCertificate> proof = ReadInfeasibilityCertificate(FLAGS_infeasible);
   if (!proof.ok()) return Complain(proof.status());
   const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
   if (!in.ok()) return Complain(in.status());
-  const StatusOr<ProofReport> report = CheckProof(*proof, *in);
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(*proof, *in);
   if (!report.ok()) return Complain(report.status());
   return Conclude(*report, report->accepted());
 }

@@ -48,7 +48,7 @@ Status ReadArray(const Json& object, const std::string& key, std::vector<T>* val
 
 }  // namespace
 
-StatusOr<InfeasibilityProof> ParseProof(const std::string& json) {
+StatusOr<InfeasibilityCertificate> ParseInfeasibilityCertificate(const std::string& json) {
   const Json root = Json::parse(json, nullptr, /*allow_exceptions=*/false);
   if (root.is_discarded() || !root.is_object()) return Status::InvalidInput("not a JSON object");
   const auto outcome = root.find("outcome");
@@ -61,7 +61,7 @@ StatusOr<InfeasibilityProof> ParseProof(const std::string& json) {
   if (proof_json == root.end() || !proof_json->is_object()) {
     return Status::InvalidInput("infeasibility: an object is needed");
   }
-  InfeasibilityProof proof;
+  InfeasibilityCertificate proof;
   const StatusOr<double> epsilon = ReadNumber(*proof_json, "epsilon_over_pi");
   if (!epsilon.ok()) return epsilon.status();
   proof.epsilon_over_pi = *epsilon;
@@ -91,13 +91,13 @@ StatusOr<InfeasibilityProof> ParseProof(const std::string& json) {
   return proof;
 }
 
-StatusOr<InfeasibilityProof> ReadProof(const std::string& path) {
+StatusOr<InfeasibilityCertificate> ReadInfeasibilityCertificate(const std::string& path) {
   std::ifstream file(path);
   std::ostringstream content;
   if (!file || !(content << file.rdbuf())) {
     return Status::InvalidInput(fmt::format("{}: cannot be read", path));
   }
-  StatusOr<InfeasibilityProof> proof = ParseProof(content.str());
+  StatusOr<InfeasibilityCertificate> proof = ParseInfeasibilityCertificate(content.str());
   if (!proof.ok()) return proof.status().In(path);
   return proof;
 }

@@ -13,7 +13,7 @@ std::string Line(const std::string& name, const std::string& text) {
   return fmt::format("{:<18}{}\n", name, text);
 }
 
-std::string InequalityLines(const ProofReport& report) {
+std::string InequalityLines(const InfeasibilityReport& report) {
   std::string text =
       Line("constraints", fmt::format("2 pi at {}", Count(report.num_flat, "inner vertex")));
   if (!report.cones.empty()) {
@@ -33,7 +33,7 @@ std::string InequalityLines(const ProofReport& report) {
 
 }  // namespace
 
-std::string ProofReport::Verdict() const {
+std::string InfeasibilityReport::Verdict() const {
   if (!accepted()) return "REJECTED: " + Join(errors, "; ");
   if (removed_vertex != kNone) {
     return fmt::format(
@@ -47,7 +47,7 @@ std::string ProofReport::Verdict() const {
   return fmt::format("accepted (no coherent angles with margin eps = {:.6g} pi)", epsilon_over_pi);
 }
 
-std::string ToText(const ProofReport& report) {
+std::string ToText(const InfeasibilityReport& report) {
   std::string text = Line("triangles", fmt::format("{}", report.num_triangles));
   text +=
       Line("margin eps",
@@ -65,7 +65,7 @@ std::string ToText(const ProofReport& report) {
   return text + "verdict: " + report.Verdict() + "\n";
 }
 
-std::string ToJson(const ProofReport& report) {
+std::string ToJson(const InfeasibilityReport& report) {
   nlohmann::ordered_json json;
   json["accepted"] = report.accepted();
   json["verdict"] = report.Verdict();

@@ -53,7 +53,7 @@ std::vector<bool> LargestPiece(const Surface& surface) {
 
 /// The surface and the proof without some triangles, whose multipliers must be 0.
 bool KeepTriangles(const std::vector<bool>& keep, const std::string& what, Surface* surface,
-                   InfeasibilityProof* proof, ProofReport* report) {
+                   InfeasibilityCertificate* proof, InfeasibilityReport* report) {
   FanMesh rest;
   rest.num_vertices = surface->mesh.num_vertices;
   std::vector<double> multiplier;
@@ -83,7 +83,8 @@ struct Boundary {
 
 /// The link may be held to convexity, so from above only; how tightly is part of the verdict. Its
 /// ends stand for both sides of a mirror. The rest of a boundary must be straight.
-void CheckBoundary(const InfeasibilityProof& proof, const Boundary& boundary, ProofReport* report) {
+void CheckBoundary(const InfeasibilityCertificate& proof, const Boundary& boundary,
+                   InfeasibilityReport* report) {
   for (std::size_t i = 0; i < proof.constrained_vertex.size(); ++i) {
     const Index v = proof.constrained_vertex[i];
     const double lower = proof.lower_over_pi[i], upper = proof.upper_over_pi[i];
@@ -102,7 +103,7 @@ void CheckBoundary(const InfeasibilityProof& proof, const Boundary& boundary, Pr
 
 }  // namespace
 
-bool RemoveVertex(Surface* surface, InfeasibilityProof* proof, ProofReport* report) {
+bool RemoveVertex(Surface* surface, InfeasibilityCertificate* proof, InfeasibilityReport* report) {
   const Index removed = proof->removed_vertex;
   if (removed < 0 || removed >= surface->mesh.num_vertices) {
     report->errors.push_back(fmt::format("removed_vertex = {} does not exist; there are {}",

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/angles/exact_proof.h"
+#include "cirque/angles/exact_infeasibility.h"
 
 #include "tests/common/surfaces.h"
 
@@ -23,7 +23,7 @@ ConeTargets FanTargets(Index v, double lower, double upper) {
 Triangulation Pillow() { return NumberEdges(3, {0, 1, 2, 0, 2, 1}, {kNone, 5, 4, kNone, 2, 1}); }
 
 void ExpectRefused(const Triangulation& t, const ConeTargets& targets, const std::string& words) {
-  InfeasibilityProof proof;
+  InfeasibilityCertificate proof;
   const Status status = CheckTargets(t, targets, &proof);
   EXPECT_EQ(status.code(), StatusCode::kInfeasible);
   EXPECT_THAT(status.message(), HasSubstr(words));

@@ -194,7 +194,7 @@ TEST(SphereMapTest, AProofNamesTheVertexThatWasRemoved) {
   const Status status = MapToSphere(kleetope, {5}, on_input, {}, &map);
   EXPECT_EQ(status.code(), StatusCode::kInfeasible);
   EXPECT_TRUE(map.position.empty());
-  const InfeasibilityProof& proof = map.certificate.infeasibility;
+  const InfeasibilityCertificate& proof = map.certificate.infeasibility;
   EXPECT_EQ(proof.removed_vertex, 5);
   ASSERT_EQ(static_cast<Index>(proof.face_multiplier.size()), kleetope.triangulation.num_faces());
   for (Index h = 0; h < kleetope.triangulation.num_halfedges(); ++h) {

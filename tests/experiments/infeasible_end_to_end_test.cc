@@ -42,10 +42,11 @@ class InfeasibleEndToEnd : public ::testing::Test {
     return text.str();
   }
 
-  verify_map::ProofReport Check(const PolygonSoup& soup, const std::string& certificate) const {
-    const auto proof = verify_map::ReadProof(Path(certificate));
+  verify_map::InfeasibilityReport Check(const PolygonSoup& soup,
+                                        const std::string& certificate) const {
+    const auto proof = verify_map::ReadInfeasibilityCertificate(Path(certificate));
     EXPECT_TRUE(proof.ok()) << proof.status().message();
-    const auto report = verify_map::CheckProof(*proof, soup);
+    const auto report = verify_map::CheckInfeasibility(*proof, soup);
     EXPECT_TRUE(report.ok()) << report.status().message();
     return *report;
   }
@@ -141,12 +142,12 @@ TEST_F(InfeasibleEndToEnd, AProofAboutADiskThatClaimsTooMuchIsRejected) {
   ParameterizeOptions on_input;
   on_input.triangulation = "input";
   ASSERT_EQ(MapToDisk(SurfaceOf(soup), {}, on_input, {}, &map).code(), StatusCode::kInfeasible);
-  const InfeasibilityProof good = map.certificate.infeasibility;
-  const auto rejection = [&](const InfeasibilityProof& bad) {
-    return verify_map::CheckProof(bad, soup)->Verdict();
+  const InfeasibilityCertificate good = map.certificate.infeasibility;
+  const auto rejection = [&](const InfeasibilityCertificate& bad) {
+    return verify_map::CheckInfeasibility(bad, soup)->Verdict();
   };
   EXPECT_THAT(rejection(good), StartsWith("accepted"));
-  InfeasibilityProof bad = good;
+  InfeasibilityCertificate bad = good;
   bad.face_multiplier.back() = 1;  // the ear's
   EXPECT_THAT(rejection(bad), HasSubstr("beyond an edge between two boundary vertices"));
   bad = good;
@@ -163,7 +164,7 @@ TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
   targets.lower[1] = targets.upper[1] = 2 * kPi;
   const AngleConstraints constraints(fan.triangulation, targets);
   const CornerAngles reference = AnglesOf(fan);
-  std::vector<InfeasibilityProof> proofs(1);
+  std::vector<InfeasibilityCertificate> proofs(1);
   EXPECT_EQ(CheckTargets(fan.triangulation, targets, &proofs[0]).code(), StatusCode::kInfeasible);
   for (const std::string& method : AngleFitMethods().Names()) {
     AngleFitResult result;
@@ -173,7 +174,7 @@ TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
     EXPECT_EQ(status.code(), StatusCode::kInfeasible) << method << ": " << status.message();
     proofs.push_back(result.infeasibility);
   }
-  for (const InfeasibilityProof& proof : proofs) {
+  for (const InfeasibilityCertificate& proof : proofs) {
     Certificate certificate;
     certificate.outcome = "infeasible";
     certificate.infeasibility = proof;

@@ -39,8 +39,8 @@ Kleetope Stellate(const PolygonSoup& base) {
 /// where it and the one beyond sum to at most pi - eps. Summed up: 2 F_base <= (1 - eps) E_base,
 /// which is false for closed base meshes (E = 3/2 F) and larger disks. So multiplier 1 at the new
 /// vertices and 0 elsewhere are the proof: left = 2 F_base, right = (1 - eps) E_base.
-InfeasibilityProof ProofOf(const Kleetope& k, double epsilon) {
-  InfeasibilityProof proof;
+InfeasibilityCertificate ProofOf(const Kleetope& k, double epsilon) {
+  InfeasibilityCertificate proof;
   proof.epsilon_over_pi = epsilon;
   proof.face_multiplier.assign(static_cast<std::size_t>(k.mesh.num_polygons()), 0.0);
   for (Index f = 0; f < k.num_base_triangles; ++f) {
@@ -58,18 +58,18 @@ PolygonSoup Tetrahedron() {
                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
 }
 
-ProofReport Check(const InfeasibilityProof& proof, const PolygonSoup& mesh) {
-  const StatusOr<ProofReport> report = CheckProof(proof, mesh);
+InfeasibilityReport Check(const InfeasibilityCertificate& proof, const PolygonSoup& mesh) {
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(proof, mesh);
   EXPECT_TRUE(report.ok()) << report.status().message();
   if (report.ok()) return *report;
-  ProofReport none;
+  InfeasibilityReport none;
   none.errors = {"no report"};
   return none;
 }
 
 TEST(VerifyMapInfeasibility, AKleetopesProofIsAccepted) {
   const Kleetope closed = Stellate(Tetrahedron());
-  const ProofReport report = Check(ProofOf(closed, 0.001), closed.mesh);
+  const InfeasibilityReport report = Check(ProofOf(closed, 0.001), closed.mesh);
   EXPECT_EQ(report.Verdict(), "accepted (no coherent angles with margin eps = 0.001 pi)");
   EXPECT_DOUBLE_EQ(report.left, 8);
   EXPECT_DOUBLE_EQ(report.right, 6 * (1 - 0.001));
@@ -85,23 +85,23 @@ TEST(VerifyMapInfeasibility, MultipliersOnFacesAndOfBothSignsAreAccountedFor) {
   // pi, to what the right side bounds: for the closed mesh with c everywhere and eps = 0, the base
   // edges have p = q = 1 + c and the spokes p = q = c.
   const Kleetope k = Stellate(Tetrahedron());
-  InfeasibilityProof proof = ProofOf(k, 0);
+  InfeasibilityCertificate proof = ProofOf(k, 0);
   proof.face_multiplier.assign(12, -0.25);
-  const ProofReport negative = Check(proof, k.mesh);
+  const InfeasibilityReport negative = Check(proof, k.mesh);
   EXPECT_DOUBLE_EQ(negative.left, 8 - 12 * 0.25);
   EXPECT_DOUBLE_EQ(negative.right, 6 * 0.75);
   EXPECT_TRUE(negative.accepted());
   proof.face_multiplier.assign(12, 0.25);
-  const ProofReport positive = Check(proof, k.mesh);
+  const InfeasibilityReport positive = Check(proof, k.mesh);
   EXPECT_DOUBLE_EQ(positive.left, 8 + 12 * 0.25);
   EXPECT_DOUBLE_EQ(positive.right, 6 * 1.25 + 12 * 0.25);
 }
 
 TEST(VerifyMapInfeasibility, AChangedMultiplierIsRejected) {
   const Kleetope k = Stellate(Tetrahedron());
-  InfeasibilityProof proof = ProofOf(k, 0.001);
+  InfeasibilityCertificate proof = ProofOf(k, 0.001);
   proof.vertex_multiplier[2] = -1;
-  const ProofReport report = Check(proof, k.mesh);
+  const InfeasibilityReport report = Check(proof, k.mesh);
   // Left 3 * 2 - 2; right: three edges of p = q = 1 and three of p = 1, q = -1.
   EXPECT_DOUBLE_EQ(report.left, 4);
   EXPECT_DOUBLE_EQ(report.right, 3 * 0.999 + 3 * 0.997);
@@ -110,14 +110,14 @@ TEST(VerifyMapInfeasibility, AChangedMultiplierIsRejected) {
 
 TEST(VerifyMapInfeasibility, EqualityProvesTheOpenProblemOnlyAndIsDecidedExactly) {
   const Kleetope k = Stellate(Sheet(2));  // 2 F_base = E_base = 16
-  InfeasibilityProof proof = ProofOf(k, 0);
-  const ProofReport equal = Check(proof, k.mesh);
+  InfeasibilityCertificate proof = ProofOf(k, 0);
+  const InfeasibilityReport equal = Check(proof, k.mesh);
   EXPECT_EQ(equal.margin, 0);
   EXPECT_EQ(equal.Verdict(), "accepted (no coherent angles)");
   // Less by 2^-52 on the left only, since base triangle 3 has a neighbour at every edge; a sum of
   // doubles near 16 does not see it.
   proof.vertex_multiplier[3] = 1 - std::ldexp(1, -53);
-  const ProofReport less = Check(proof, k.mesh);
+  const InfeasibilityReport less = Check(proof, k.mesh);
   EXPECT_EQ(less.margin, -std::ldexp(1, -52));
   EXPECT_FALSE(less.accepted());
   // With all multipliers zero both sides are zero, which proves nothing.
@@ -128,7 +128,7 @@ TEST(VerifyMapInfeasibility, EqualityProvesTheOpenProblemOnlyAndIsDecidedExactly
 TEST(VerifyMapInfeasibility, AFeasibleMeshHasNoSuchProof) {
   // Equilateral angles are coherent on a hexagonal fan, so no multipliers may pass.
   const PolygonSoup fan = Fan(6, kPi / 3);
-  InfeasibilityProof proof;
+  InfeasibilityCertificate proof;
   proof.constrained_vertex = {0};
   proof.lower_over_pi = proof.upper_over_pi = {2};
   for (const double y : {-3.0, -1.0, -1e-9, 1e-300, 0.5, 2.0}) {
@@ -142,13 +142,13 @@ TEST(VerifyMapInfeasibility, AFeasibleMeshHasNoSuchProof) {
 
 TEST(VerifyMapInfeasibility, ConesAndPrescribedBoundaryVerticesAreNamed) {
   const Kleetope k = Stellate(Sheet(4));
-  InfeasibilityProof proof = ProofOf(k, 0.001);
+  InfeasibilityCertificate proof = ProofOf(k, 0.001);
   proof.lower_over_pi[0] = proof.upper_over_pi[0] = 2.5;
   proof.constrained_vertex.insert(proof.constrained_vertex.begin(), 0);
   proof.lower_over_pi.insert(proof.lower_over_pi.begin(), 0.5);
   proof.upper_over_pi.insert(proof.upper_over_pi.begin(), 0.5);
   proof.vertex_multiplier.insert(proof.vertex_multiplier.begin(), 0.0);
-  const ProofReport report = Check(proof, k.mesh);
+  const InfeasibilityReport report = Check(proof, k.mesh);
   EXPECT_TRUE(report.accepted());
   EXPECT_THAT(report.cones, ElementsAre(k.first));
   EXPECT_THAT(report.prescribed, ElementsAre(0));
@@ -157,9 +157,11 @@ TEST(VerifyMapInfeasibility, ConesAndPrescribedBoundaryVerticesAreNamed) {
 
 TEST(VerifyMapInfeasibility, IllFormedProofsAreRejectedByName) {
   const Kleetope k = Stellate(Tetrahedron());
-  const InfeasibilityProof good = ProofOf(k, 0.001);
-  const auto verdict = [&](const InfeasibilityProof& p) { return Check(p, k.mesh).Verdict(); };
-  InfeasibilityProof bad = good;
+  const InfeasibilityCertificate good = ProofOf(k, 0.001);
+  const auto verdict = [&](const InfeasibilityCertificate& p) {
+    return Check(p, k.mesh).Verdict();
+  };
+  InfeasibilityCertificate bad = good;
   bad.face_multiplier.pop_back();
   EXPECT_THAT(verdict(bad), HasSubstr("face_multiplier has 11 entries instead of 12"));
   bad = good;
@@ -188,12 +190,15 @@ TEST(VerifyMapInfeasibility, CertificatesAreReadAndTheirFaultsNamed) {
            faces + R"(, "constrained_vertex": [4], "lower_over_pi": [2], "upper_over_pi": [2.5],
       "vertex_multiplier": [0.1], "carrying_faces": [], "carrying_vertices": [4]}})";
   };
-  const StatusOr<InfeasibilityProof> proof = ParseProof(json("[1, -0.5, 2e-300]"));
+  const StatusOr<InfeasibilityCertificate> proof =
+      ParseInfeasibilityCertificate(json("[1, -0.5, 2e-300]"));
   ASSERT_TRUE(proof.ok()) << proof.status().message();
   EXPECT_THAT(proof->face_multiplier, ElementsAre(1, -0.5, 2e-300));
   EXPECT_THAT(proof->constrained_vertex, ElementsAre(4));
   EXPECT_EQ(proof->upper_over_pi[0], 2.5);
-  const auto message = [](const std::string& text) { return ParseProof(text).status().message(); };
+  const auto message = [](const std::string& text) {
+    return ParseInfeasibilityCertificate(text).status().message();
+  };
   EXPECT_EQ(message(json("[1, null]")), "infeasibility.face_multiplier[1]: null is no number");
   EXPECT_THAT(message(json("{}")), HasSubstr("face_multiplier: an array is needed"));
   EXPECT_THAT(message(R"({"outcome": "ok"})"), HasSubstr("outcome: \"ok\" instead of"));

@@ -47,7 +47,7 @@ TEST(VerifyMapReport, WhatWasNotJudgedIsAbsent) {
 }
 
 TEST(VerifyMapReport, ARejectedProofOfWrongFormHasNoSides) {
-  const StatusOr<ProofReport> report = CheckProof({}, Fan(6, kPi / 3));
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility({}, Fan(6, kPi / 3));
   ASSERT_TRUE(report.ok());
   const Json json = Json::parse(ToJson(*report));
   EXPECT_EQ(json["accepted"], false);

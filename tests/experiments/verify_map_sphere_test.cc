@@ -113,14 +113,16 @@ TEST_F(VerifySphereTest, AProofWithoutAVertexIsCheckedAgainstTheRest) {
   SphereMap map;
   ASSERT_EQ(MapToSphere(kleetope, {2}, on_input, {}, &map).code(), StatusCode::kInfeasible);
   const PolygonSoup soup = SoupOf(kleetope);
-  const InfeasibilityProof good = *ParseProof(map.certificate.ToJson());
+  const InfeasibilityCertificate good = *ParseInfeasibilityCertificate(map.certificate.ToJson());
   EXPECT_EQ(good.removed_vertex, 2);
-  const ProofReport report = *CheckProof(good, soup);
+  const InfeasibilityReport report = *CheckInfeasibility(good, soup);
   EXPECT_TRUE(report.accepted()) << report.Verdict();
   EXPECT_GT(report.margin, 0);
   EXPECT_LT(report.link_upper_over_pi, 1);
-  const auto rejection = [&](InfeasibilityProof bad) { return CheckProof(bad, soup)->Verdict(); };
-  InfeasibilityProof bad = good;
+  const auto rejection = [&](InfeasibilityCertificate bad) {
+    return CheckInfeasibility(bad, soup)->Verdict();
+  };
+  InfeasibilityCertificate bad = good;
   bad.removed_vertex = 3;
   EXPECT_THAT(rejection(bad), HasSubstr("REJECTED"));
   bad.removed_vertex = 1000;

@@ -16,9 +16,9 @@ namespace cirque {
 namespace {
 
 /// The flat metric of a plane surface's faces, mirrored ones with negative angles.
-FlatOnInput FlatOf(const Surface& plane) {
+InputChart FlatOf(const Surface& plane) {
   const Triangulation& t = plane.triangulation;
-  FlatOnInput flat{{Eigen::VectorXd(t.num_halfedges())}, MeasureEdgeLengths(plane), {}};
+  InputChart flat{{Eigen::VectorXd(t.num_halfedges())}, MeasureEdgeLengths(plane), {}};
   const auto at = [&](Index corner) {
     const Eigen::Vector3d& x = plane.position[t.vertex[corner]];
     return std::complex<double>(x.x(), x.y());
@@ -35,20 +35,21 @@ constexpr int kColumns = 6, kRows = 6;
 
 Index Vertex(int column, int row) { return row * (kColumns + 1) + column; }
 
-class RightMirroredFacesTest : public ::testing::Test {
+class UntangleFlippedTrianglesTest : public ::testing::Test {
  protected:
-  RightMirroredFacesTest() {
+  UntangleFlippedTrianglesTest() {
     for (Index v = 0; v < t().num_vertices; ++v) movable_[v] = !movable_[v];
   }
 
   const Triangulation& t() const { return strip_.triangulation; }
 
-  int Right(FlatOnInput* flat) const {
-    return RightMirroredFaces(t(), AnglesOf(strip_), MeasureEdgeLengths(strip_), movable_, flat);
+  int Right(InputChart* flat) const {
+    return UntangleFlippedTriangles(t(), AnglesOf(strip_), MeasureEdgeLengths(strip_), movable_,
+                                    flat);
   }
 
   /// The strip's metric with vertices moved.
-  FlatOnInput Displaced(const std::vector<std::pair<Index, Eigen::Vector3d>>& moves) const {
+  InputChart Displaced(const std::vector<std::pair<Index, Eigen::Vector3d>>& moves) const {
     Surface moved = strip_;
     for (const auto& [v, by] : moves) moved.position[v] += by;
     return FlatOf(moved);
@@ -58,10 +59,10 @@ class RightMirroredFacesTest : public ::testing::Test {
   std::vector<bool> movable_ = BoundaryVertices(strip_.triangulation);
 };
 
-TEST_F(RightMirroredFacesTest, AVertexGoesBackToWhereNothingIsDistorted) {
-  const FlatOnInput whole = FlatOf(strip_);
+TEST_F(UntangleFlippedTrianglesTest, AVertexGoesBackToWhereNothingIsDistorted) {
+  const InputChart whole = FlatOf(strip_);
   ASSERT_TRUE(whole.mirrored.empty());
-  FlatOnInput flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
+  InputChart flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
   ASSERT_GE(flat.mirrored.size(), 1);
   EXPECT_EQ(Right(&flat), 1);
   EXPECT_TRUE(flat.mirrored.empty());
@@ -69,10 +70,10 @@ TEST_F(RightMirroredFacesTest, AVertexGoesBackToWhereNothingIsDistorted) {
   EXPECT_LT((flat.angles.value - whole.angles.value).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST_F(RightMirroredFacesTest, SeveralMovesKeepEveryAngleSumAndLayOutWithoutFlips) {
-  FlatOnInput flat = Displaced({{Vertex(2, 2), {0.2, 1.2, 0}},
-                                {Vertex(4, 4), {1.4, -0.1, 0}},
-                                {Vertex(2, 5), {-0.3, -0.4, 0}}});
+TEST_F(UntangleFlippedTrianglesTest, SeveralMovesKeepEveryAngleSumAndLayOutWithoutFlips) {
+  InputChart flat = Displaced({{Vertex(2, 2), {0.2, 1.2, 0}},
+                               {Vertex(4, 4), {1.4, -0.1, 0}},
+                               {Vertex(2, 5), {-0.3, -0.4, 0}}});
   const std::vector<double> before = VertexAngleSums(t(), flat.angles);
   ASSERT_GE(flat.mirrored.size(), 2);
   EXPECT_GE(Right(&flat), 2);
@@ -89,18 +90,18 @@ TEST_F(RightMirroredFacesTest, SeveralMovesKeepEveryAngleSumAndLayOutWithoutFlip
   EXPECT_TRUE(FlippedFaces(t(), LayOutPatches(t(), flat.angles, flat.lengths, none).uv).empty());
 }
 
-TEST_F(RightMirroredFacesTest, WhatMayNotMoveStaysAndIsNamed) {
+TEST_F(UntangleFlippedTrianglesTest, WhatMayNotMoveStaysAndIsNamed) {
   movable_.assign(movable_.size(), false);
-  FlatOnInput flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
-  const FlatOnInput before = flat;
+  InputChart flat = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
+  const InputChart before = flat;
   EXPECT_EQ(Right(&flat), 0);
   EXPECT_EQ(flat.mirrored, before.mirrored);
   EXPECT_EQ(flat.lengths.value, before.lengths.value);
 }
 
-TEST_F(RightMirroredFacesTest, AStarWithoutAKernelIsLeftAlone) {
+TEST_F(UntangleFlippedTrianglesTest, AStarWithoutAKernelIsLeftAlone) {
   // Two of the boundary's vertices swap places: no inner vertex sees both sides between them.
-  FlatOnInput flat = Displaced({{Vertex(2, 0), {2, 0, 0}}, {Vertex(4, 0), {-2, 0, 0}}});
+  InputChart flat = Displaced({{Vertex(2, 0), {2, 0, 0}}, {Vertex(4, 0), {-2, 0, 0}}});
   ASSERT_FALSE(flat.mirrored.empty());
   Right(&flat);
   EXPECT_FALSE(flat.mirrored.empty());

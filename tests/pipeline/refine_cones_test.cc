@@ -134,7 +134,7 @@ TEST(RepairCones, MovesThenWidensWhereTheProofPoints) {
   const Triangulation& t = surface.triangulation;
   const ConeTargets targets = *DefaultTargets(surface);
   const std::vector<Cone> cones = ConesOf(t, targets);
-  InfeasibilityProof proof;
+  InfeasibilityCertificate proof;
   proof.carrying_vertices = {cones[0].vertex};
   const ConeRepair widened = RepairCones(t, targets, proof, 2);
   EXPECT_EQ(widened.widened, 1);

@@ -49,7 +49,7 @@ Status RequireCoherent(const KktReport& kkt) {
                   kkt.smallest_angle, kkt.smallest_theta));
 }
 
-std::string InfeasibleMessage(const InfeasibilityProof& proof) {
+std::string InfeasibleMessage(const InfeasibilityCertificate& proof) {
   const std::string margin = proof.epsilon_over_pi == 0 ? std::string()
                                                         : fmt::format(" with margin {:.1e} rad",
                                                                       proof.epsilon_over_pi * kPi);
@@ -75,7 +75,7 @@ double FirstEpsilon(const AngleFitProblem& problem) {
 }  // namespace
 
 Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
-                 InfeasibilityProof proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
+                 InfeasibilityCertificate proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
                  AngleFitResult* result) {
   result->multipliers = std::move(multipliers);
   if (!proof.empty()) {

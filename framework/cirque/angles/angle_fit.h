@@ -19,8 +19,8 @@ struct AngleFitResult {
                                 ///< up to the inequalities' share
   SolveSummary solve;
   KktReport kkt;
-  int clamped_references = 0;        ///< reference angles that the objective had to clamp
-  InfeasibilityProof infeasibility;  ///< filled with kInfeasible
+  int clamped_references = 0;              ///< reference angles that the objective had to clamp
+  InfeasibilityCertificate infeasibility;  ///< filled with kInfeasible
 };
 
 /// A way to solve an angle fit at one margin.
@@ -50,7 +50,7 @@ Status FitAngles(const AngleFitProblem& problem,
 /// of an unconverged solve whose relative gap exceeds 1e-8, are kNotConverged, and so are angles
 /// that are no circle pattern's (an objective without inequalities can have such).
 Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
-                 InfeasibilityProof proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
+                 InfeasibilityCertificate proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
                  AngleFitResult* result);
 
 }  // namespace cirque

@@ -53,7 +53,7 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
 
   const Eigen::VectorXd& angles() const { return alpha_; }
   const Eigen::VectorXd& multipliers() const { return state_.y; }
-  const InfeasibilityProof& proof() const { return watch_.proof(); }
+  const InfeasibilityCertificate& proof() const { return watch_.proof(); }
 
   /// Ceres's callback: records accepted steps and knows when to end.
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {

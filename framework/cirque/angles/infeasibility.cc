@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cirque/angles/exact_proof.h"
+#include "cirque/angles/exact_infeasibility.h"
 #include "cirque/core/parallel.h"
 #include "cirque/math/compensated_sum.h"
 
@@ -84,9 +84,10 @@ std::vector<Index> Carriers(const Eigen::VectorXd& multipliers, const std::vecto
 }
 
 /// The proof by these multipliers; empty when its numbers, taken exactly, prove nothing.
-InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon,
-                             const Eigen::VectorXd& y, double margin) {
-  InfeasibilityProof proof;
+InfeasibilityCertificate MakeInfeasibilityCertificate(const AngleConstraints& constraints,
+                                                      double epsilon, const Eigen::VectorXd& y,
+                                                      double margin) {
+  InfeasibilityCertificate proof;
   const int faces = constraints.num_faces();
   proof.epsilon_over_pi = epsilon / kPi;
   proof.margin = margin;
@@ -99,13 +100,13 @@ InfeasibilityProof MakeProof(const AngleConstraints& constraints, double epsilon
   }
   proof.carrying_faces = Carriers(y.head(faces), {});
   proof.carrying_vertices = Carriers(y.tail(y.size() - faces), proof.constrained_vertex);
-  return ProvesExactly(constraints.triangulation(), proof) ? proof : InfeasibilityProof();
+  return ProvesExactly(constraints.triangulation(), proof) ? proof : InfeasibilityCertificate();
 }
 
 /// At margin 0 the inequality may hold with equality (the conditions are open), which only exact
 /// multipliers show.
-InfeasibilityProof ProveWithIntegers(const AngleConstraints& constraints,
-                                     const Eigen::VectorXd& unit) {
+InfeasibilityCertificate ProveWithIntegers(const AngleConstraints& constraints,
+                                           const Eigen::VectorXd& unit) {
   for (int denominator = 1; denominator <= kMaxDenominator; ++denominator) {
     const Eigen::VectorXd y = (unit * denominator).array().round().matrix();
     const Margin margin = ComputeMargin(constraints, 0, y);
@@ -113,7 +114,8 @@ InfeasibilityProof ProveWithIntegers(const AngleConstraints& constraints,
     // the whole sum.
     if (margin.value >= -1e-13 * margin.magnitude && margin.magnitude > 0 &&
         InfeasibilityMargin(constraints, 1e-6, y) > 0) {
-      InfeasibilityProof proof = MakeProof(constraints, 0, y, std::max(0.0, margin.value));
+      InfeasibilityCertificate proof =
+          MakeInfeasibilityCertificate(constraints, 0, y, std::max(0.0, margin.value));
       if (!proof.empty()) return proof;
     }
   }
@@ -127,8 +129,8 @@ double InfeasibilityMargin(const AngleConstraints& constraints, double epsilon,
   return ComputeMargin(constraints, epsilon, y).value;
 }
 
-InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double epsilon,
-                                   const Eigen::VectorXd& y) {
+InfeasibilityCertificate ProveInfeasible(const AngleConstraints& constraints, double epsilon,
+                                         const Eigen::VectorXd& y) {
   const double largest = y.lpNorm<Eigen::Infinity>();
   if (!(largest > 0) || !std::isfinite(largest)) return {};
   const Eigen::VectorXd unit = y / largest;
@@ -136,15 +138,20 @@ InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double e
   if (!(with_epsilon.value > kSafety * with_epsilon.magnitude)) return {};
   const Margin without = ComputeMargin(constraints, 0, unit);
   if (without.value > kSafety * without.magnitude) {
-    InfeasibilityProof proof = MakeProof(constraints, 0, unit, without.value);
+    InfeasibilityCertificate proof =
+        MakeInfeasibilityCertificate(constraints, 0, unit, without.value);
     if (!proof.empty()) return proof;
   }
-  InfeasibilityProof exact = ProveWithIntegers(constraints, unit);
-  return exact.empty() ? MakeProof(constraints, epsilon, unit, with_epsilon.value) : exact;
+  InfeasibilityCertificate exact = ProveWithIntegers(constraints, unit);
+  return exact.empty()
+             ? MakeInfeasibilityCertificate(constraints, epsilon, unit, with_epsilon.value)
+             : exact;
 }
 
-InfeasibilityProof ProofFrom(const AngleConstraints& constraints, const Eigen::VectorXd& y) {
-  return MakeProof(constraints, 0, y, std::max(0.0, ComputeMargin(constraints, 0, y).value));
+InfeasibilityCertificate CertificateFrom(const AngleConstraints& constraints,
+                                         const Eigen::VectorXd& y) {
+  return MakeInfeasibilityCertificate(constraints, 0, y,
+                                      std::max(0.0, ComputeMargin(constraints, 0, y).value));
 }
 
 bool InfeasibilityWatch::Found(const Eigen::VectorXd& y) {

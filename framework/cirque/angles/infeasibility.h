@@ -17,12 +17,13 @@ double InfeasibilityMargin(const AngleConstraints& constraints, double epsilon,
 /// margin 0 (no coherent angles at all; rounding y to small integer multiples finds proofs that
 /// hold with equality there), then one for `epsilon`. An empty proof means that y proves nothing;
 /// one that is returned has passed ProvesExactly.
-InfeasibilityProof ProveInfeasible(const AngleConstraints& constraints, double epsilon,
-                                   const Eigen::VectorXd& y);
+InfeasibilityCertificate ProveInfeasible(const AngleConstraints& constraints, double epsilon,
+                                         const Eigen::VectorXd& y);
 
 /// ProveInfeasible for given multipliers at margin 0 without any test in floating point: for proofs
 /// known in advance. Empty when they prove nothing.
-InfeasibilityProof ProofFrom(const AngleConstraints& constraints, const Eigen::VectorXd& y);
+InfeasibilityCertificate CertificateFrom(const AngleConstraints& constraints,
+                                         const Eigen::VectorXd& y);
 
 /// Watches a fit's multipliers for a proof of infeasibility: where no coherent angles exist they
 /// run off along one, so both the iterate and its last step are candidates, but where that hardly
@@ -36,13 +37,13 @@ class InfeasibilityWatch {
   /// True once a proof has been found.
   bool Found(const Eigen::VectorXd& y);
 
-  const InfeasibilityProof& proof() const { return proof_; }
+  const InfeasibilityCertificate& proof() const { return proof_; }
 
  private:
   const AngleConstraints& constraints_;
   const double margin_;
   Eigen::VectorXd previous_;
-  InfeasibilityProof proof_;
+  InfeasibilityCertificate proof_;
 };
 
 }  // namespace cirque

@@ -103,19 +103,20 @@ Status CheckGaussBonnet(const Triangulation& t, const ConeTargets& targets, doub
 }
 
 /// Multipliers by vertex (and one for all faces) in the rows of the constraints.
-InfeasibilityProof Prove(const Triangulation& t, const ConeTargets& targets, double of_faces,
-                         const Eigen::VectorXd& of_vertices) {
+InfeasibilityCertificate Prove(const Triangulation& t, const ConeTargets& targets, double of_faces,
+                               const Eigen::VectorXd& of_vertices) {
   const AngleConstraints constraints(t, targets);
   Eigen::VectorXd y = Eigen::VectorXd::Constant(constraints.num_rows(), of_faces);
   for (std::size_t i = 0; i < constraints.constrained_vertices().size(); ++i) {
     y[t.num_faces() + static_cast<int>(i)] = of_vertices[constraints.constrained_vertices()[i]];
   }
-  return ProofFrom(constraints, y);
+  return CertificateFrom(constraints, y);
 }
 
 }  // namespace
 
-Status CheckTargets(const Triangulation& t, const ConeTargets& targets, InfeasibilityProof* proof) {
+Status CheckTargets(const Triangulation& t, const ConeTargets& targets,
+                    InfeasibilityCertificate* proof) {
   if (Status s = CheckNumbers(t, targets); !s.ok()) return s;
   Eigen::VectorXd of_vertices = Eigen::VectorXd::Zero(t.num_vertices);
   double of_faces = 0;

@@ -17,6 +17,6 @@ namespace cirque {
 ///                  than 1e-9 rad. `proof` (may be null) then proves it, unless rounding is all
 ///                  that speaks against the exact inequality.
 Status CheckTargets(const Triangulation& triangulation, const ConeTargets& targets,
-                    InfeasibilityProof* proof = nullptr);
+                    InfeasibilityCertificate* proof = nullptr);
 
 }  // namespace cirque

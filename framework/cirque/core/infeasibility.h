@@ -15,7 +15,7 @@ namespace cirque {
 /// eps] for a boundary edge; (A'y)_e = (y_f + y_v) at the one or two corners opposite e, v the
 /// vertex at the corner. All numbers are doubles and mean exactly what they say, so that the
 /// inequality can be checked without rounding.
-struct InfeasibilityProof {
+struct InfeasibilityCertificate {
   double epsilon_over_pi = 0;
   std::vector<double> face_multiplier;  ///< F
   std::vector<Index>

@@ -65,8 +65,8 @@ class ChartSolve {
         if (status.code() != StatusCode::kInfeasible) return status;
       }
     }
-    InfeasibilityProof& proof = certificate_.infeasibility;
-    if (!proof.empty()) NumberProofAsInFile(surface_, chart_.disk, &proof);
+    InfeasibilityCertificate& proof = certificate_.infeasibility;
+    if (!proof.empty()) NumberAsInFile(surface_, chart_.disk, &proof);
     return status;
   }
 

@@ -113,8 +113,8 @@ void KeepStar(const Triangulation& whole, const CornerAngles& angles, double eps
   }
 }
 
-void NumberProofAsInFile(const Surface& surface, const PuncturedDisk& disk,
-                         InfeasibilityProof* proof) {
+void NumberAsInFile(const Surface& surface, const PuncturedDisk& disk,
+                    InfeasibilityCertificate* proof) {
   const SubTriangulation& rest = disk.rest;
   std::vector<double> of_face(surface.triangulation.num_faces(), 0);
   for (std::size_t f = 0; f < rest.face.size(); ++f) {

@@ -37,7 +37,7 @@ void KeepStar(const Triangulation& whole, const CornerAngles& angles, double eps
 
 /// The proof for disk.rest in the numbers of the input file, its faces those of the whole surface,
 /// with the pole as its removed vertex.
-void NumberProofAsInFile(const Surface& surface, const PuncturedDisk& disk,
-                         InfeasibilityProof* proof);
+void NumberAsInFile(const Surface& surface, const PuncturedDisk& disk,
+                    InfeasibilityCertificate* proof);
 
 }  // namespace cirque

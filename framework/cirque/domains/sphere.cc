@@ -66,7 +66,7 @@ ConeTargets ConvexLinkTargets(const Triangulation& t, double margin) {
 }
 
 StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& disk,
-                                const FlatOnInput& flat) {
+                                const InputChart& flat) {
   const Cut no_cut = {std::vector<bool>(disk.num_edges(), false)};
   if (method == "directions") return LayOutPatches(disk, flat.angles, flat.lengths, no_cut);
   return LayOutByLeastSquares(disk, flat.angles, flat.lengths, no_cut);
@@ -164,8 +164,8 @@ class SphereMapping {
     Put("flips", static_cast<double>(intrinsic.flips.size()));
     Put("pole_corners", static_cast<double>(punctured->link.size()));
     if (!status.ok()) {
-      InfeasibilityProof& proof = map_.certificate.infeasibility;
-      if (!proof.empty()) NumberProofAsInFile(surface_, *punctured, &proof);
+      InfeasibilityCertificate& proof = map_.certificate.infeasibility;
+      if (!proof.empty()) NumberAsInFile(surface_, *punctured, &proof);
       return status;
     }
     Put("delaunay_margin",
@@ -195,7 +195,7 @@ class SphereMapping {
     return status;
   }
 
-  Status LayOut(const PuncturedSurface& punctured, const FlatOnInput& flat) {
+  Status LayOut(const PuncturedSurface& punctured, const InputChart& flat) {
     const Triangulation& t = punctured.triangulation;
     const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
     if (!laid_out.ok()) return laid_out.status();

@@ -25,8 +25,8 @@ double SphericalDelaunayMargin(const Triangulation& t, const Eigen::VectorXd& an
   return margin;
 }
 
-void NumberProofAsInFile(const Surface& surface, const PuncturedSurface& punctured,
-                         InfeasibilityProof* proof) {
+void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
+                    InfeasibilityCertificate* proof) {
   std::vector<double> of_face(surface.triangulation.num_faces(), 0);
   for (std::size_t f = 0; f < punctured.face.size(); ++f) {
     of_face[punctured.face[f]] = proof->face_multiplier[f];

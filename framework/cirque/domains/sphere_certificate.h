@@ -16,8 +16,8 @@ double SphericalDelaunayMargin(const Triangulation& punctured, const Eigen::Vect
 
 /// The proof for the punctured surface in the numbers of the input file, its faces those of the
 /// whole surface.
-void NumberProofAsInFile(const Surface& surface, const PuncturedSurface& punctured,
-                         InfeasibilityProof* proof);
+void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
+                    InfeasibilityCertificate* proof);
 
 /// Fills in the map's distortions and their figures in the certificate.
 void MeasureSphereMap(const Surface& surface, SphereMap* map);

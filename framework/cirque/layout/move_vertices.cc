@@ -12,7 +12,7 @@ namespace cirque {
 namespace {
 
 /// One move can mirror no face, so every sweep that moves anything leaves fewer of them.
-bool IsMirrored(const FlatOnInput& flat, Index face) {
+bool IsFlipped(const InputChart& flat, Index face) {
   const auto& angle = flat.angles.value;
   return !(angle[3 * face] > 0 && angle[3 * face + 1] > 0 && angle[3 * face + 2] > 0);
 }
@@ -20,7 +20,7 @@ bool IsMirrored(const FlatOnInput& flat, Index face) {
 /// Moves the best of the face's vertices, if any can right the whole star around it.
 bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
                const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
-               const MapObjective& objective, Index face, FlatOnInput* flat) {
+               const MapObjective& objective, Index face, InputChart* flat) {
   std::optional<VertexStar> best;
   std::complex<double> best_place;
   double least = std::numeric_limits<double>::infinity();
@@ -39,16 +39,16 @@ bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
 
 }  // namespace
 
-int RightMirroredFaces(const Triangulation& t, const CornerAngles& surface_angles,
-                       const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
-                       FlatOnInput* flat) {
+int UntangleFlippedTriangles(const Triangulation& t, const CornerAngles& surface_angles,
+                             const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+                             InputChart* flat) {
   const MapObjective objective = *MapObjectives().Find("mips");
   int moves = 0;
   for (bool moved = true; moved && !flat->mirrored.empty();) {
     moved = false;
     std::vector<Index> left;
     for (const Index face : flat->mirrored) {
-      if (!IsMirrored(*flat, face)) continue;
+      if (!IsFlipped(*flat, face)) continue;
       if (RightFace(t, surface_angles, surface_lengths, movable, objective, face, flat)) {
         moved = true;
         ++moves;

@@ -4,7 +4,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 
 namespace cirque {
 
@@ -18,8 +18,8 @@ namespace cirque {
 /// `surface_angles`, `surface_lengths`: what shall be distorted little. `movable`, per vertex:
 /// interior ones whose angles add up to 2 pi. Updates `flat`, whose list of mirrored faces then
 /// holds those that no such move rights. Returns the number of moves.
-int RightMirroredFaces(const Triangulation& triangulation, const CornerAngles& surface_angles,
-                       const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
-                       FlatOnInput* flat);
+int UntangleFlippedTriangles(const Triangulation& triangulation, const CornerAngles& surface_angles,
+                             const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+                             InputChart* flat);
 
 }  // namespace cirque

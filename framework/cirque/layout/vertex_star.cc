@@ -18,7 +18,7 @@ double Cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.r
 }  // namespace
 
 VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angles,
-                       const EdgeLengths& surface_lengths, const FlatOnInput& flat, Index corner)
+                       const EdgeLengths& surface_lengths, const InputChart& flat, Index corner)
     : t_(t) {
   double direction = 0;
   t.ForEachCornerAround(corner, [&](Index c) {
@@ -129,7 +129,7 @@ std::optional<Complex> VertexStar::PlaceInKernel() const {
   return std::nullopt;
 }
 
-void VertexStar::MoveTo(Complex place, FlatOnInput* flat) const {
+void VertexStar::MoveTo(Complex place, InputChart* flat) const {
   for (const Face& face : faces_) {
     const Index next = Triangulation::Next(face.corner), prev = Triangulation::Prev(face.corner);
     const Complex from = face.from - place, to = face.to - place, side = face.to - face.from;

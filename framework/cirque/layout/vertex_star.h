@@ -6,7 +6,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/layout/map_objective.h"
 
 namespace cirque {
@@ -16,7 +16,7 @@ class VertexStar {
  public:
   /// `surface_angles`, `surface_lengths`: of the faces as they are to be.
   VertexStar(const Triangulation& triangulation, const CornerAngles& surface_angles,
-             const EdgeLengths& surface_lengths, const FlatOnInput& flat, Index corner);
+             const EdgeLengths& surface_lengths, const InputChart& flat, Index corner);
 
   /// False where the vertex is its own neighbour: it cannot move alone.
   bool IsSimple() const { return simple_; }
@@ -29,7 +29,7 @@ class VertexStar {
   double WorstDistortion(std::complex<double> place) const;
 
   /// Moves the vertex there: the star's angles and the lengths of its spokes.
-  void MoveTo(std::complex<double> place, FlatOnInput* flat) const;
+  void MoveTo(std::complex<double> place, InputChart* flat) const;
 
  private:
   using Complex = std::complex<double>;

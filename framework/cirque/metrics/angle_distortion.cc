@@ -14,7 +14,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric AngleDistortion() {
+DistortionMeasure AngleDistortion() {
   return {"angles",
           "s/t + t/s - 2",
           0,

@@ -15,7 +15,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric AngleError() {
+DistortionMeasure AngleError() {
   return {"angles",
           "mean |angle difference| [rad]",
           0,

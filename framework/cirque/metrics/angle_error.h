@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -9,6 +9,6 @@ namespace cirque {
 /// the mean, sum A sum |difference|, is the average angle discrepancy of L. Shay, J. Solomon, O.
 /// Stein, A dataset and benchmark for mesh parameterization, 2022 (who count 2 pi for each corner
 /// of a face with a side of length zero; here such faces are left out).
-Metric AngleError();
+DistortionMeasure AngleError();
 
 }  // namespace cirque

@@ -13,7 +13,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric AreaDiscrepancy() {
+DistortionMeasure AreaDiscrepancy() {
   return {"areas",
           "|a - A| / A, areas of total 1",
           0,

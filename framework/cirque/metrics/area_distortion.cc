@@ -14,7 +14,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric AreaDistortion() {
+DistortionMeasure AreaDistortion() {
   return {"areas",
           "a/A + A/a - 2, areas of total 1",
           0,

@@ -27,7 +27,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric CutLength() {
+DistortionMeasure CutLength() {
   return {
       .group = "lengths",
       .figures = {{"cut_length", "length of the seams, surface of area 1 (Shay, Solomon, Stein)"}},

@@ -9,7 +9,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric Degenerate() {
+DistortionMeasure Degenerate() {
   return {.group = "injectivity",
           .figures = {{"degenerate_faces", "faces without area, left out of all other figures"}},
           .measure = Measure};

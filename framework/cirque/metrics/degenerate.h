@@ -1,10 +1,10 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
 /// The number of degenerate faces, which MappedFaces and with it all other figures leave out.
-Metric Degenerate();
+DistortionMeasure Degenerate();
 
 }  // namespace cirque

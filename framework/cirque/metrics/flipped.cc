@@ -14,7 +14,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric Flipped() {
+DistortionMeasure Flipped() {
   return {"injectivity",
           "1 where flipped, else 0",
           0,

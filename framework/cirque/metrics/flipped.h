@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -8,6 +8,6 @@ namespace cirque {
 /// p among the measurable faces, min(p, 1 - p): a map that is mirrored throughout counts as none
 /// flipped (L. Shay, J. Solomon, O. Stein, A dataset and benchmark for mesh parameterization,
 /// 2022).
-Metric Flipped();
+DistortionMeasure Flipped();
 
 }  // namespace cirque

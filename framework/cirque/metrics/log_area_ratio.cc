@@ -16,7 +16,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric LogAreaRatio() {
+DistortionMeasure LogAreaRatio() {
   return {"areas",
           "log(a / A), areas of total 1",
           -3,

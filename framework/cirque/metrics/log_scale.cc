@@ -15,7 +15,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric LogScale() {
+DistortionMeasure LogScale() {
   return {"areas",
           "u = 1/2 log(a / A), of mean 0",
           -1.5,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -10,6 +10,6 @@ namespace cirque {
 /// singularities for conformal flattening, ACM TOG 37(4), 2018, and Q. Fang, W. Ouyang, M. Li, L.
 /// Liu, X.-M. Fu, Computing sparse cones with bounded distortion for conformal parameterizations,
 /// ACM TOG 40(6), 2021, measure the area distortion that cones leave.
-Metric LogScale();
+DistortionMeasure LogScale();
 
 }  // namespace cirque

@@ -23,10 +23,10 @@ std::string Ending(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
-std::vector<std::string> MetricsWithFaceValues() {
+std::vector<std::string> MeasuresWithFaceValues() {
   std::vector<std::string> names;
-  for (const std::string& name : Metrics().Names()) {
-    if (!Metrics().Find(name)->face_meaning.empty()) names.push_back(name);
+  for (const std::string& name : DistortionMeasures().Names()) {
+    if (!DistortionMeasures().Find(name)->face_meaning.empty()) names.push_back(name);
   }
   return names;
 }
@@ -41,7 +41,7 @@ StatusOr<MeasureFile> ParseMeasureFile(const std::string& word) {
         "'{}' as a file of measures: name it .csv (per face), .json (figures) or .ply (colours)",
         word));
   }
-  const std::vector<std::string> known = MetricsWithFaceValues();
+  const std::vector<std::string> known = MeasuresWithFaceValues();
   if (std::find(known.begin(), known.end(), file.colour_by) == known.end()) {
     return Status::InvalidInput(UnknownName("metric with face values", file.colour_by, known));
   }

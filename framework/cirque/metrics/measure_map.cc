@@ -21,7 +21,7 @@ Eigen::VectorXd Scatter(const MappedFaces& faces, const Eigen::VectorXd& measure
   return values;
 }
 
-Metric MetricOf(const std::string& name) { return *Metrics().Find(name); }
+DistortionMeasure MeasureOf(const std::string& name) { return *DistortionMeasures().Find(name); }
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -47,8 +47,8 @@ MapMeasures MeasureMap(const Triangulation& t, const EdgeLengths& lengths, const
                        const CornerAngles* angles) {
   const MappedFaces faces = MeasureFaces(t, lengths, uv, angles);
   MapMeasures measures;
-  for (const std::string& name : Metrics().Names()) {
-    const Metric metric = MetricOf(name);
+  for (const std::string& name : DistortionMeasures().Names()) {
+    const DistortionMeasure metric = MeasureOf(name);
     const Measurement found = metric.measure(faces);
     CHECK_EQ(found.figures.size(), metric.figures.size()) << name;
     for (std::size_t i = 0; i < found.figures.size(); ++i) {
@@ -72,8 +72,8 @@ StatusOr<std::map<std::string, double>> MeasureFigures(const Triangulation& t,
   }
   const MappedFaces faces = MeasureFaces(t, lengths, uv);
   std::map<std::string, double> values;
-  for (const std::string& metric_name : Metrics().Names()) {
-    const Metric metric = MetricOf(metric_name);
+  for (const std::string& measure_name : DistortionMeasures().Names()) {
+    const DistortionMeasure metric = MeasureOf(measure_name);
     const bool wanted =
         std::any_of(metric.figures.begin(), metric.figures.end(),
                     [&](const FigureSpec& spec) { return Contains(names, spec.name); });
@@ -89,8 +89,8 @@ StatusOr<std::map<std::string, double>> MeasureFigures(const Triangulation& t,
 
 std::vector<std::string> FigureNames() {
   std::vector<std::string> names;
-  for (const std::string& name : Metrics().Names()) {
-    for (const FigureSpec& spec : MetricOf(name).figures) names.push_back(spec.name);
+  for (const std::string& name : DistortionMeasures().Names()) {
+    for (const FigureSpec& spec : MeasureOf(name).figures) names.push_back(spec.name);
   }
   return names;
 }

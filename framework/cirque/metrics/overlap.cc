@@ -141,7 +141,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric Overlap() {
+DistortionMeasure Overlap() {
   return {.group = "injectivity",
           .figures = {{"overlap_area", "1 - area of the union, total 1 (Shay, Solomon, Stein)"},
                       {"covered_twice_area", "area covered at least twice, total 1"}},

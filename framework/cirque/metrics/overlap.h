@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -14,6 +14,6 @@ namespace cirque {
 /// so a map without overlaps measures exactly 0. From the largest triangle down, each is cut into
 /// convex pieces by the larger ones that it overlaps; their areas are right to about 1e-12.
 /// O(n log n) and the pieces, whose number the order keeps in proportion to the overlaps.
-Metric Overlap();
+DistortionMeasure Overlap();
 
 }  // namespace cirque

@@ -13,7 +13,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric QuasiConformal() {
+DistortionMeasure QuasiConformal() {
   return {"angles",
           "sigma_max / sigma_min",
           1,

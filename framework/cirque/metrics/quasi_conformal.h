@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -9,6 +9,6 @@ namespace cirque {
 /// J. Snyder, S. Gortler, H. Hoppe, Texture mapping progressive meshes, SIGGRAPH 2001, name the
 /// singular values; the ratio is what the programs of R. Sawhney, K. Crane, Boundary first
 /// flattening, ACM TOG 37(1), 2018, report.)
-Metric QuasiConformal();
+DistortionMeasure QuasiConformal();
 
 }  // namespace cirque

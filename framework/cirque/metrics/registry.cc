@@ -17,24 +17,25 @@
 
 namespace cirque {
 
-const Registry<Metric>& Metrics() {
-  static const Registry<Metric> kTable("metric", {
-                                                     {"quasi_conformal", QuasiConformal()},
-                                                     {"angle_error", AngleError()},
-                                                     {"angle_distortion", AngleDistortion()},
-                                                     {"log_area_ratio", LogAreaRatio()},
-                                                     {"log_scale", LogScale()},
-                                                     {"area_distortion", AreaDistortion()},
-                                                     {"area_discrepancy", AreaDiscrepancy()},
-                                                     {"symmetric_dirichlet", SymmetricDirichlet()},
-                                                     {"singular_value_min", SmallerSingularValue()},
-                                                     {"singular_value_max", LargerSingularValue()},
-                                                     {"resolution", Resolution()},
-                                                     {"cut", CutLength()},
-                                                     {"flipped", Flipped()},
-                                                     {"overlap", Overlap()},
-                                                     {"degenerate", Degenerate()},
-                                                 });
+const Registry<DistortionMeasure>& DistortionMeasures() {
+  static const Registry<DistortionMeasure> kTable(
+      "metric", {
+                    {"quasi_conformal", QuasiConformal()},
+                    {"angle_error", AngleError()},
+                    {"angle_distortion", AngleDistortion()},
+                    {"log_area_ratio", LogAreaRatio()},
+                    {"log_scale", LogScale()},
+                    {"area_distortion", AreaDistortion()},
+                    {"area_discrepancy", AreaDiscrepancy()},
+                    {"symmetric_dirichlet", SymmetricDirichlet()},
+                    {"singular_value_min", SmallerSingularValue()},
+                    {"singular_value_max", LargerSingularValue()},
+                    {"resolution", Resolution()},
+                    {"cut", CutLength()},
+                    {"flipped", Flipped()},
+                    {"overlap", Overlap()},
+                    {"degenerate", Degenerate()},
+                });
   return kTable;
 }
 

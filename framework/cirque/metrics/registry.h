@@ -1,11 +1,11 @@
 #pragma once
 
 #include "cirque/core/registry.h"
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
 /// All metrics by name.
-const Registry<Metric>& Metrics();
+const Registry<DistortionMeasure>& DistortionMeasures();
 
 }  // namespace cirque

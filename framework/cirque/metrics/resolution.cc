@@ -23,7 +23,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric Resolution() {
+DistortionMeasure Resolution() {
   return {
       "lengths",
       "pixels for the face, surface of area 1",

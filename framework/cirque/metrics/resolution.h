@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -10,6 +10,6 @@ namespace cirque {
 /// area 1. `resolution` is the maximum for the surface as it is, the measure of L. Shay, J.
 /// Solomon, O. Stein, A dataset and benchmark for mesh parameterization, 2022; it grows with the
 /// surface. `resolution_unit_area` is the maximum of the face values.
-Metric Resolution();
+DistortionMeasure Resolution();
 
 }  // namespace cirque

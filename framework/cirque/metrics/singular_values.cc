@@ -15,7 +15,7 @@ Measurement MeasureLarger(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric SmallerSingularValue() {
+DistortionMeasure SmallerSingularValue() {
   return {"lengths",
           "smaller singular value, areas of total 1",
           0,
@@ -24,7 +24,7 @@ Metric SmallerSingularValue() {
           MeasureSmaller};
 }
 
-Metric LargerSingularValue() {
+DistortionMeasure LargerSingularValue() {
   return {"lengths",
           "larger singular value, areas of total 1",
           0,

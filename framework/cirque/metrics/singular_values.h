@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -8,7 +8,7 @@ namespace cirque {
 /// scaled to total area 1, and the least and the greatest of them, as in L. Shay, J. Solomon, O.
 /// Stein, A dataset and benchmark for mesh parameterization, 2022. Those of flipped faces are
 /// positive, too.
-Metric SmallerSingularValue();
-Metric LargerSingularValue();
+DistortionMeasure SmallerSingularValue();
+DistortionMeasure LargerSingularValue();
 
 }  // namespace cirque

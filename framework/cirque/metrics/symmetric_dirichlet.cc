@@ -13,7 +13,7 @@ Measurement Measure(const MappedFaces& faces) {
 
 }  // namespace
 
-Metric SymmetricDirichlet() {
+DistortionMeasure SymmetricDirichlet() {
   return {"lengths",
           "(s^2 + t^2 + 1/s^2 + 1/t^2) / 2",
           2,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cirque/metrics/metric.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 
@@ -10,6 +10,6 @@ namespace cirque {
 /// boundaries, ACM TOG 34(4), 2015, without the 1/2; with it, and with singular values of flipped
 /// faces taken positive: L. Shay, J. Solomon, O. Stein, A dataset and benchmark for mesh
 /// parameterization, 2022.)
-Metric SymmetricDirichlet();
+DistortionMeasure SymmetricDirichlet();
 
 }  // namespace cirque

@@ -27,7 +27,7 @@ nlohmann::ordered_json HistoryToJson(const std::map<std::string, std::vector<dou
   return json;
 }
 
-nlohmann::ordered_json ProofToJson(const InfeasibilityProof& proof) {
+nlohmann::ordered_json InfeasibilityToJson(const InfeasibilityCertificate& proof) {
   nlohmann::ordered_json json = {{"epsilon_over_pi", proof.epsilon_over_pi},
                                  {"margin", proof.margin},
                                  {"carrying_faces", proof.carrying_faces},
@@ -50,7 +50,7 @@ std::string Certificate::ToJson() const {
   if (!strategies.empty()) json["strategies"] = strategies;
   json["seconds"] = NumbersToJson(seconds);
   if (!history.empty()) json["history"] = HistoryToJson(history);
-  if (!infeasibility.empty()) json["infeasibility"] = ProofToJson(infeasibility);
+  if (!infeasibility.empty()) json["infeasibility"] = InfeasibilityToJson(infeasibility);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

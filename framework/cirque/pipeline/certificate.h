@@ -52,7 +52,7 @@ struct Certificate {
   std::map<std::string, std::vector<double>> history;
 
   /// With outcome infeasible. Vertices and faces are numbered as in the input file, from 0.
-  InfeasibilityProof infeasibility;
+  InfeasibilityCertificate infeasibility;
 
   /// All of it, NaN and infinity as null.
   std::string ToJson() const;

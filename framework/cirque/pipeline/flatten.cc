@@ -218,20 +218,20 @@ class Flattening {
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
     Put({{"mirrored_triangles", static_cast<double>(result_.on_input.mirrored.size())}});
-    RightMirrored();
+    Untangle();
     return Status();
   }
 
   /// Few faces are mirrored, if any, and moving a vertex a little rights most of them.
-  void RightMirrored() {
+  void Untangle() {
     int moves = 0;
     if (!result_.on_input.mirrored.empty()) {
       std::vector<bool> movable = BoundaryVertices(input_);
       for (Index v = 0; v < input_.num_vertices; ++v) {
         movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
       }
-      moves = RightMirroredFaces(input_, MeasureCornerAngles(input_, lengths_), lengths_, movable,
-                                 &result_.on_input);
+      moves = UntangleFlippedTriangles(input_, MeasureCornerAngles(input_, lengths_), lengths_,
+                                       movable, &result_.on_input);
     }
     Put({{"moved_vertices", static_cast<double>(moves)}});
   }

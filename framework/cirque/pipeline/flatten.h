@@ -6,7 +6,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
@@ -21,12 +21,12 @@ struct FlatSurface {
   Eigen::VectorXd multipliers;       ///< of the angle fit, rows as in AngleConstraints
   LogRadii log_radii;                ///< of intrinsic; the image has the area of the surface
   EdgeLengths intrinsic_lengths;     ///< flat, of intrinsic: with it a CON file
-  FlatOnInput on_input;
+  InputChart on_input;
 };
 
 /// Coherent angles and log radii for the targets, on intrinsic Delaunay connectivity unless the
 /// options say otherwise. Where input triangles come out mirrored, single vertices are moved
-/// (RightMirroredFaces); those that no move rights get their edges locked, and everything is solved
+/// (UntangleFlippedTriangles); those that no move rights get their edges locked, and everything is solved
 /// again (the lazily constrained loop, DESIGN 4.1). The last resort, also where the flipped
 /// connectivity has no coherent angles, is the input's own, on which none can be mirrored. Proofs
 /// of infeasibility are therefore about the input's connectivity. Fills in the certificate's

@@ -40,7 +40,7 @@ std::vector<double> Relative(std::vector<double> multipliers) {
 }
 
 /// Per face its strongest relative multiplier.
-std::vector<double> FaceStrengths(const Surface& surface, const InfeasibilityProof& proof) {
+std::vector<double> FaceStrengths(const Surface& surface, const InfeasibilityCertificate& proof) {
   const Triangulation& t = surface.triangulation;
   const std::vector<double> of_constrained = Relative(proof.vertex_multiplier);
   std::vector<double> strength = Relative(proof.face_multiplier);
@@ -67,7 +67,7 @@ Colour ColourOf(double strength) {
 
 }  // namespace
 
-std::string InfeasibilityCsv(const InfeasibilityProof& proof) {
+std::string InfeasibilityCsv(const InfeasibilityCertificate& proof) {
   std::string csv = "kind,id,multiplier\n";
   AppendCarriers(
       "face", proof.face_multiplier, [](std::size_t i) { return i; }, &csv);
@@ -77,7 +77,7 @@ std::string InfeasibilityCsv(const InfeasibilityProof& proof) {
   return csv;
 }
 
-std::string InfeasibilityPly(const Surface& surface, const InfeasibilityProof& proof) {
+std::string InfeasibilityPly(const Surface& surface, const InfeasibilityCertificate& proof) {
   std::vector<Colour> colours;
   for (const double strength : FaceStrengths(surface, proof)) {
     colours.push_back(ColourOf(strength));

@@ -37,7 +37,7 @@ Status Conclude(const Status& status, const Timer& timer, Certificate* certifica
   return status;
 }
 
-void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof) {
+void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof) {
   for (Index& v : proof->constrained_vertex) v = surface.soup_vertex[v];
   for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }

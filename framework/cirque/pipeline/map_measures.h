@@ -15,6 +15,6 @@ void PutMeasures(const Triangulation& triangulation, const EdgeLengths& lengths,
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate);
 
 /// Renumbers the proof's vertices as the input file has them.
-void NumberAsInFile(const Surface& surface, InfeasibilityProof* proof);
+void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof);
 
 }  // namespace cirque

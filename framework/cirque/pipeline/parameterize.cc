@@ -40,7 +40,7 @@ struct Job {
 };
 
 /// The given cut, or one through the cones, short by the costs that the options name.
-StatusOr<Cut> ChooseCut(const Job& job, const FlatOnInput& flat, const std::vector<Index>& cones) {
+StatusOr<Cut> ChooseCut(const Job& job, const InputChart& flat, const std::vector<Index>& cones) {
   if (job.cut) {
     if (Status s = CheckCut(job.t, *job.cut, cones); !s.ok()) return s;
     return *job.cut;
@@ -52,7 +52,7 @@ StatusOr<Cut> ChooseCut(const Job& job, const FlatOnInput& flat, const std::vect
 }
 
 StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& t,
-                                const FlatOnInput& flat, const Cut& cut) {
+                                const InputChart& flat, const Cut& cut) {
   if (method == "directions") return LayOutPatches(t, flat.angles, flat.lengths, cut);
   if (method == "least_squares") return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
   return Status::InvalidInput(UnknownName("layout", method, {"directions", "least_squares"}));
@@ -70,7 +70,7 @@ Status Unrepresentable(const Certificate& certificate, const std::vector<Index>&
 /// Several patches, each in a frame of its own: side by side. One patch: exact rotations across the
 /// seams where the cones' angles allow it.
 void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vector<Index>& cones,
-             const FlatOnInput& flat, const Cut& cut, PlanarLayout* layout,
+             const InputChart& flat, const Cut& cut, PlanarLayout* layout,
              Certificate* certificate) {
   certificate->values["rotation_order"] = 0;
   if (layout->patches.count > 1) {
@@ -88,7 +88,7 @@ void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vect
 Status CutAndPlace(const Job& job, Parameterization* result) {
   const Triangulation& t = job.t;
   Certificate& certificate = result->certificate;
-  const FlatOnInput& flat = result->flat.on_input;
+  const InputChart& flat = result->flat.on_input;
   const std::vector<Index> cones = ConeVertices(t, result->targets);
   StatusOr<Cut> cut = ChooseCut(job, flat, cones);
   if (!cut.ok()) return cut.status();
@@ -200,7 +200,7 @@ Status FlattenAndRepair(const Job& job, Parameterization* result) {
   Status status = FlattenAsAsked(job, result);
   auto& values = result->certificate.values;
   for (int round = 1; round <= kMostConeRepairs; ++round) {
-    const InfeasibilityProof proof = result->certificate.infeasibility;
+    const InfeasibilityCertificate proof = result->certificate.infeasibility;
     if (status.code() != StatusCode::kInfeasible || proof.empty()) break;
     ConeRepair repair = RepairCones(job.t, result->targets, proof, round);
     if (repair.moved + repair.widened == 0) continue;

@@ -34,7 +34,7 @@ Status CheckRefineMap(const std::string& refine_map) {
   return refine_map == kNoRefinement ? Status() : Parse(refine_map).status();
 }
 
-Status RefineLayout(const Triangulation& t, const EdgeLengths& lengths, const FlatOnInput& flat,
+Status RefineLayout(const Triangulation& t, const EdgeLengths& lengths, const InputChart& flat,
                     const Cut& cut, const std::vector<Index>& cones, const std::string& refine_map,
                     const std::atomic<bool>* cancelled, PlanarLayout* layout,
                     Certificate* certificate) {

@@ -7,7 +7,7 @@
 #include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/pipeline/certificate.h"
 
@@ -20,7 +20,7 @@ Status CheckRefineMap(const std::string& refine_map);
 /// `lengths` are the surface's. Fills in the certificate's values map_refinement_steps, ..._before
 /// and ..._after. Errors: as CheckRefineMap; cancelled.
 Status RefineLayout(const Triangulation& triangulation, const EdgeLengths& lengths,
-                    const FlatOnInput& flat, const Cut& cut, const std::vector<Index>& cones,
+                    const InputChart& flat, const Cut& cut, const std::vector<Index>& cones,
                     const std::string& refine_map, const std::atomic<bool>* cancelled,
                     PlanarLayout* layout, Certificate* certificate);
 

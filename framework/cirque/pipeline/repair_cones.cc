@@ -10,7 +10,7 @@ constexpr double kSpareCorner = 0.5, kLeastAngle = kPi / 4;
 
 class Repair {
  public:
-  Repair(const Triangulation& t, const ConeTargets& targets, const InfeasibilityProof& proof)
+  Repair(const Triangulation& t, const ConeTargets& targets, const InfeasibilityCertificate& proof)
       : t_(t),
         corners_(CornersPerVertex(t)),
         boundary_(BoundaryVertices(t)),
@@ -73,7 +73,7 @@ class Repair {
 }  // namespace
 
 ConeRepair RepairCones(const Triangulation& t, const ConeTargets& targets,
-                       const InfeasibilityProof& proof, int round) {
+                       const InfeasibilityCertificate& proof, int round) {
   return Repair(t, targets, proof).Run(round);
 }
 

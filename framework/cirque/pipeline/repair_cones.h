@@ -18,7 +18,7 @@ struct ConeRepair {
 /// range over +- (k - 1) pi/4, and that of every other cone over a quarter of that, which Gauss-
 /// Bonnet needs. Angles stay within what the corners can reach.
 ConeRepair RepairCones(const Triangulation& triangulation, const ConeTargets& targets,
-                       const InfeasibilityProof& proof, int round);
+                       const InfeasibilityCertificate& proof, int round);
 
 inline constexpr int kMostConeRepairs = 5;
 

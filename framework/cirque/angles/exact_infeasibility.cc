@@ -1,4 +1,4 @@
-#include "cirque/angles/exact_proof.h"
+#include "cirque/angles/exact_infeasibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ bool AllFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-bool IsWellFormed(const Triangulation& t, const InfeasibilityProof& proof) {
+bool IsWellFormed(const Triangulation& t, const InfeasibilityCertificate& proof) {
   const std::size_t constrained = proof.constrained_vertex.size();
   return proof.epsilon_over_pi >= 0 && 3 * proof.epsilon_over_pi < 1 &&
          static_cast<Index>(proof.face_multiplier.size()) == t.num_faces() &&
@@ -44,7 +44,7 @@ struct SupportParts {
   bool some_nonzero = false;
 };
 
-SupportParts SumSupports(const Triangulation& t, const InfeasibilityProof& proof) {
+SupportParts SumSupports(const Triangulation& t, const InfeasibilityCertificate& proof) {
   std::vector<double> of_vertex(t.num_vertices, 0.0);
   for (std::size_t i = 0; i < proof.constrained_vertex.size(); ++i) {
     of_vertex[proof.constrained_vertex[i]] = proof.vertex_multiplier[i];
@@ -71,7 +71,7 @@ SupportParts SumSupports(const Triangulation& t, const InfeasibilityProof& proof
 }
 
 /// The left side in units of 2^-2148.
-ExactInteger LeftSide(const InfeasibilityProof& proof) {
+ExactInteger LeftSide(const InfeasibilityCertificate& proof) {
   ExactInteger of_faces, left;
   for (const double y : proof.face_multiplier) of_faces = of_faces + Exact(y);
   left = of_faces * ExactInteger(1, kFractionBits);
@@ -84,7 +84,7 @@ ExactInteger LeftSide(const InfeasibilityProof& proof) {
 
 }  // namespace
 
-bool ProvesExactly(const Triangulation& triangulation, const InfeasibilityProof& proof) {
+bool ProvesExactly(const Triangulation& triangulation, const InfeasibilityCertificate& proof) {
   if (!IsWellFormed(triangulation, proof)) return false;
   const SupportParts parts = SumSupports(triangulation, proof);
   const ExactInteger one(1, kFractionBits), epsilon = Exact(proof.epsilon_over_pi);

@@ -1,4 +1,4 @@
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 
 #include <numeric>
 
@@ -11,7 +11,7 @@
 namespace cirque {
 namespace {
 
-TEST(FlatOnInput, UndoneFlipsGiveBackAFlatMetric) {
+TEST(InputChart, UndoneFlipsGiveBackAFlatMetric) {
   // A flat patch keeps its angles through any flips.
   const Surface patch = GeneratedSurface("flat_delaunay_patch", 800);
   const Triangulation& t = patch.triangulation;
@@ -21,13 +21,13 @@ TEST(FlatOnInput, UndoneFlipsGiveBackAFlatMetric) {
   const IntrinsicTriangulation intrinsic = MakeIntrinsicDelaunay(t, lengths);
   ASSERT_GT(intrinsic.flips.size(), 100u);
   const CornerAngles flat = MeasureCornerAngles(intrinsic.triangulation, intrinsic.lengths);
-  const FlatOnInput back = ReadOnInput(t, intrinsic, flat, intrinsic.lengths);
+  const InputChart back = ReadOnInput(t, intrinsic, flat, intrinsic.lengths);
   EXPECT_TRUE(back.mirrored.empty());
   EXPECT_LT((back.lengths.value - lengths.value).lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_LT((back.angles.value - AnglesOf(sheared).value).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
-TEST(FlatOnInput, ATriangleThatFoldsOverIsNamedMirrored) {
+TEST(InputChart, ATriangleThatFoldsOverIsNamedMirrored) {
   // A flat fan whose Delaunay edges are read in another flat metric: its centre pulled across an
   // edge.
   const Surface fan = Fan(5, 0.0);

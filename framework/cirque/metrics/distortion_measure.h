@@ -25,7 +25,7 @@ struct Measurement {
 };
 
 /// A way to say how far a map is from a good one. The registry's name is that of its face values.
-struct Metric {
+struct DistortionMeasure {
   std::string group;  ///< "angles", "areas", "lengths" or "injectivity": the heading in reports
   std::string face_meaning = {};   ///< formula and unit of the face values; empty: it has none
   double least = 0, greatest = 1;  ///< the face values at the two ends of the colours

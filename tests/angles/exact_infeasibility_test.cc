@@ -1,4 +1,4 @@
-#include "cirque/angles/exact_proof.h"
+#include "cirque/angles/exact_infeasibility.h"
 
 #include <cmath>
 #include <limits>
@@ -14,8 +14,8 @@ namespace {
 
 /// Vertex 1 of a fan of 6 has two corners and must reach `sum` pi: multiplier 1 there is a proof
 /// from 2 on, for margin eps from 2 (1 - 2 eps) on (both opposite edges are inner ones).
-InfeasibilityProof TwoCorners(double sum, double epsilon_over_pi = 0) {
-  InfeasibilityProof proof;
+InfeasibilityCertificate TwoCorners(double sum, double epsilon_over_pi = 0) {
+  InfeasibilityCertificate proof;
   proof.epsilon_over_pi = epsilon_over_pi;
   proof.face_multiplier.assign(6, 0.0);
   proof.constrained_vertex = {0, 1};
@@ -24,22 +24,22 @@ InfeasibilityProof TwoCorners(double sum, double epsilon_over_pi = 0) {
   return proof;
 }
 
-class ExactProof : public ::testing::Test {
+class ExactInfeasibilityCertificate : public ::testing::Test {
  protected:
-  bool Proves(const InfeasibilityProof& proof) const { return ProvesExactly(t_, proof); }
+  bool Proves(const InfeasibilityCertificate& proof) const { return ProvesExactly(t_, proof); }
   const Triangulation t_ = Fan(6, 0.5).triangulation;
 };
 
-TEST_F(ExactProof, DecidesTheLastBit) {
+TEST_F(ExactInfeasibilityCertificate, DecidesTheLastBit) {
   EXPECT_TRUE(Proves(TwoCorners(2)));  // equality is enough at margin 0
   EXPECT_FALSE(Proves(TwoCorners(std::nextafter(2, 0))));
   EXPECT_FALSE(Proves(TwoCorners(2 * (1 - 2 * 0.125), 0.125)));  // at a margin it is not
   EXPECT_TRUE(Proves(TwoCorners(std::nextafter(1.5, 2), 0.125)));
 }
 
-TEST_F(ExactProof, HoldsForMultipliersOfAnyMagnitude) {
+TEST_F(ExactInfeasibilityCertificate, HoldsForMultipliersOfAnyMagnitude) {
   for (const double scale : {5e-324, 1e-200, 3.0, 1e300}) {
-    InfeasibilityProof proof = TwoCorners(2);
+    InfeasibilityCertificate proof = TwoCorners(2);
     proof.vertex_multiplier[1] = scale;
     EXPECT_TRUE(Proves(proof)) << scale;
     proof.lower_over_pi[1] = std::nextafter(2, 0);
@@ -47,33 +47,33 @@ TEST_F(ExactProof, HoldsForMultipliersOfAnyMagnitude) {
   }
 }
 
-TEST_F(ExactProof, PlantedErrorsAreSeen) {
-  InfeasibilityProof negative = TwoCorners(2.5);
+TEST_F(ExactInfeasibilityCertificate, PlantedErrorsAreSeen) {
+  InfeasibilityCertificate negative = TwoCorners(2.5);
   negative.vertex_multiplier[1] = -1;
   EXPECT_FALSE(Proves(negative));
-  InfeasibilityProof nothing = TwoCorners(2.5);
+  InfeasibilityCertificate nothing = TwoCorners(2.5);
   nothing.vertex_multiplier[1] = 0;
   EXPECT_FALSE(Proves(nothing));
-  InfeasibilityProof on_face = TwoCorners(2);
+  InfeasibilityCertificate on_face = TwoCorners(2);
   on_face.face_multiplier[3] = 1e-300;  // a face's three corners add more on the right
   EXPECT_FALSE(Proves(on_face));
-  InfeasibilityProof short_one = TwoCorners(2.5);
+  InfeasibilityCertificate short_one = TwoCorners(2.5);
   short_one.face_multiplier.pop_back();
   EXPECT_FALSE(Proves(short_one));
-  InfeasibilityProof undefined = TwoCorners(2.5);
+  InfeasibilityCertificate undefined = TwoCorners(2.5);
   undefined.vertex_multiplier[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(Proves(undefined));
   EXPECT_FALSE(Proves(TwoCorners(2.5, 0.4)));
 }
 
-TEST_F(ExactProof, RoundingOfTheTargetDecidesWhatIsProven) {
+TEST_F(ExactInfeasibilityCertificate, RoundingOfTheTargetDecidesWhatIsProven) {
   // 2 pi less one ulp leaves room, if little: nothing may be proven at margin 0.
   ConeTargets targets = FreeBoundaryTargets(t_);
   targets.lower[1] = targets.upper[1] = std::nextafter(2 * kPi, 0);
   const AngleConstraints constraints(t_, targets);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(constraints.num_rows());
   y[t_.num_faces() + 1] = 1;
-  EXPECT_TRUE(ProofFrom(constraints, y).empty());
+  EXPECT_TRUE(CertificateFrom(constraints, y).empty());
   EXPECT_GT(ProveInfeasible(constraints, 1e-3, y).epsilon_over_pi, 0);
 }
 

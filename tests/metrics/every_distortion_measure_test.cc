@@ -54,22 +54,22 @@ const std::vector<Sample>& Samples() {
   return kTable;
 }
 
-class EveryMetric : public testing::TestWithParam<std::string> {
+class EveryDistortionMeasure : public testing::TestWithParam<std::string> {
  protected:
-  EveryMetric() : metric_(*Metrics().Find(GetParam())) {}
+  EveryDistortionMeasure() : measure_(*DistortionMeasures().Find(GetParam())) {}
 
   Measurement MeasureBy(const TestMap& map) const {
-    return metric_.measure(MeasureFaces(map.triangulation, map.lengths, map.uv));
+    return measure_.measure(MeasureFaces(map.triangulation, map.lengths, map.uv));
   }
 
   /// The figures agree, up to the power of `scale` that each is documented to grow with.
   void ExpectSameFigures(const Measurement& wanted, const Measurement& found, double scale = 1) {
-    ASSERT_EQ(found.figures.size(), metric_.figures.size());
-    for (std::size_t i = 0; i < metric_.figures.size(); ++i) {
-      const double value = wanted.figures[i] * std::pow(scale, metric_.figures[i].length_power);
+    ASSERT_EQ(found.figures.size(), measure_.figures.size());
+    for (std::size_t i = 0; i < measure_.figures.size(); ++i) {
+      const double value = wanted.figures[i] * std::pow(scale, measure_.figures[i].length_power);
       EXPECT_TRUE(std::isfinite(value));
       EXPECT_NEAR(found.figures[i], value, kSmall * (1 + std::abs(value)))
-          << metric_.figures[i].name;
+          << measure_.figures[i].name;
     }
   }
 
@@ -82,14 +82,14 @@ class EveryMetric : public testing::TestWithParam<std::string> {
   }
 
   bool AxisAligned() const {
-    return std::any_of(metric_.figures.begin(), metric_.figures.end(),
+    return std::any_of(measure_.figures.begin(), measure_.figures.end(),
                        [](const FigureSpec& spec) { return spec.axis_aligned; });
   }
 
-  const Metric metric_;
+  const DistortionMeasure measure_;
 };
 
-TEST_P(EveryMetric, ScaleOfTheSurfaceMattersAsDocumented) {
+TEST_P(EveryDistortionMeasure, ScaleOfTheSurfaceMattersAsDocumented) {
   for (const Sample& sample : Samples()) {
     SCOPED_TRACE(sample.name);
     TestMap scaled = sample.map;
@@ -100,7 +100,7 @@ TEST_P(EveryMetric, ScaleOfTheSurfaceMattersAsDocumented) {
   }
 }
 
-TEST_P(EveryMetric, ScalePlaceAndTurnOfTheImageDoNotMatter) {
+TEST_P(EveryDistortionMeasure, ScalePlaceAndTurnOfTheImageDoNotMatter) {
   const double angle = AxisAligned() ? kPi / 2 : 0.7;
   Eigen::Matrix2d turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
@@ -116,7 +116,7 @@ TEST_P(EveryMetric, ScalePlaceAndTurnOfTheImageDoNotMatter) {
   }
 }
 
-TEST_P(EveryMetric, MidpointSubdivisionLeavesThePiecewiseLinearMapAsItIs) {
+TEST_P(EveryDistortionMeasure, MidpointSubdivisionLeavesThePiecewiseLinearMapAsItIs) {
   for (const Sample& sample : Samples()) {
     SCOPED_TRACE(sample.name);
     const Measurement wanted = MeasureBy(sample.map);
@@ -129,8 +129,8 @@ TEST_P(EveryMetric, MidpointSubdivisionLeavesThePiecewiseLinearMapAsItIs) {
   }
 }
 
-TEST_P(EveryMetric, TellsSomeMapFromTheIdentity) {
-  std::vector<std::set<double>> values(metric_.figures.size());
+TEST_P(EveryDistortionMeasure, TellsSomeMapFromTheIdentity) {
+  std::vector<std::set<double>> values(measure_.figures.size());
   for (const Sample& sample : Samples()) {
     Measurement found = MeasureBy(sample.map);
     for (std::size_t i = 0; i < values.size(); ++i) values[i].insert(found.figures[i]);
@@ -140,11 +140,11 @@ TEST_P(EveryMetric, TellsSomeMapFromTheIdentity) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i].insert(found.figures[i]);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_GT(values[i].size(), 1u) << metric_.figures[i].name;
+    EXPECT_GT(values[i].size(), 1u) << measure_.figures[i].name;
   }
 }
 
-TEST_P(EveryMetric, HasNoFigureWhereNoFaceCanBeMeasured) {
+TEST_P(EveryDistortionMeasure, HasNoFigureWhereNoFaceCanBeMeasured) {
   TestMap collapsed = DroppedToPlane(Grid(2, 1));
   for (Vector2d& p : collapsed.uv.value) p = Vector2d(1, 1);
   const Measurement found = MeasureBy(collapsed);
@@ -154,18 +154,19 @@ TEST_P(EveryMetric, HasNoFigureWhereNoFaceCanBeMeasured) {
   }
 }
 
-TEST_P(EveryMetric, SaysWhatItMeasures) {
-  EXPECT_THAT(metric_.group, testing::AnyOf("angles", "areas", "lengths", "injectivity"));
-  EXPECT_LT(metric_.least, metric_.greatest);
-  EXPECT_EQ(metric_.face_meaning.empty(), MeasureBy(Samples()[1].map).face_values.size() == 0);
-  EXPECT_FALSE(metric_.figures.empty());
-  for (const FigureSpec& spec : metric_.figures) EXPECT_FALSE(spec.meaning.empty());
+TEST_P(EveryDistortionMeasure, SaysWhatItMeasures) {
+  EXPECT_THAT(measure_.group, testing::AnyOf("angles", "areas", "lengths", "injectivity"));
+  EXPECT_LT(measure_.least, measure_.greatest);
+  EXPECT_EQ(measure_.face_meaning.empty(), MeasureBy(Samples()[1].map).face_values.size() == 0);
+  EXPECT_FALSE(measure_.figures.empty());
+  for (const FigureSpec& spec : measure_.figures) EXPECT_FALSE(spec.meaning.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryMetric, testing::ValuesIn(Metrics().Names()),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryDistortionMeasure,
+                         testing::ValuesIn(DistortionMeasures().Names()),
                          [](const auto& metric) { return metric.param; });
 
-TEST(Metrics, FiguresHaveNamesOfTheirOwn) {
+TEST(DistortionMeasures, FiguresHaveNamesOfTheirOwn) {
   const std::vector<std::string> names = FigureNames();
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
   EXPECT_THAT(names, testing::IsSupersetOf({"quasi_conformal_mean", "overlap_area", "cut_length"}));

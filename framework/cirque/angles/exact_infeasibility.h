@@ -10,6 +10,6 @@ namespace cirque {
 /// is not zero: coherent angles lie in the interior of every Q_e, where a linear function that is
 /// not constant stays below its maximum. False for numbers that are not finite and for epsilon
 /// outside [0, 1/3).
-bool ProvesExactly(const Triangulation& triangulation, const InfeasibilityProof& proof);
+bool ProvesExactly(const Triangulation& triangulation, const InfeasibilityCertificate& proof);
 
 }  // namespace cirque

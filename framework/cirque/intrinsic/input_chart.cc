@@ -1,4 +1,4 @@
-#include "cirque/intrinsic/flat_on_input.h"
+#include "cirque/intrinsic/input_chart.h"
 
 #include <cmath>
 #include <complex>
@@ -43,8 +43,8 @@ void UnflipVectors(Index h, Index g, std::vector<Vector>* side) {
   v[g] = -(next_g + prev_g);
 }
 
-FlatOnInput MeasureFaces(const Triangulation& t, const std::vector<Vector>& side) {
-  FlatOnInput flat;
+InputChart MeasureFaces(const Triangulation& t, const std::vector<Vector>& side) {
+  InputChart flat;
   flat.angles.value.resize(t.num_halfedges());
   flat.lengths.value.resize(t.num_edges());
   ParallelFor(t.num_halfedges(), [&](Index h) {
@@ -61,8 +61,8 @@ FlatOnInput MeasureFaces(const Triangulation& t, const std::vector<Vector>& side
 
 }  // namespace
 
-FlatOnInput ReadOnInput(const Triangulation& input, const IntrinsicTriangulation& intrinsic,
-                        const CornerAngles& flat_angles, const EdgeLengths& flat_lengths) {
+InputChart ReadOnInput(const Triangulation& input, const IntrinsicTriangulation& intrinsic,
+                       const CornerAngles& flat_angles, const EdgeLengths& flat_lengths) {
   const Triangulation& t = intrinsic.triangulation;
   std::vector<Vector> side = SideVectors(t, flat_angles, flat_lengths);
   FlipComplex complex(t, flat_lengths);
