@@ -19,7 +19,7 @@ void TimePipeline(benchmark::State& state, const std::string& generator,
   Status status;
   for (auto _ : state) {
     map = {};
-    status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+    status = Parameterize(surface, {options}, {}, &map);
   }
   for (const char* name : {"angle_iterations", "angle_factorizations", "radii_iterations",
                            "radii_factorizations", "cones"}) {

@@ -9,8 +9,7 @@
 #include "cirque/cones/registry.h"
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/sphere.h"
-#include "cirque/domains/sphere_normalization.h"
+#include "cirque/domains/registry.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/linear/multigrid.h"
@@ -18,7 +17,6 @@
 
 #include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/run.h"
-#include "experiments/circle_patterns/sphere.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
 #include "experiments/common/heap.h"
@@ -147,10 +145,6 @@ Status CheckArguments(const std::vector<std::string>& others) {
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control) {
-  if (FLAGS_domain == "sphere") {
-    return RunSphere(job, {FLAGS_principal_axes, FLAGS_inversion, FLAGS_latlong}, control,
-                     std::cout);
-  }
   return job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
                                : RunOnMetric(job, control, std::cout);
 }
@@ -172,8 +166,7 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
   job.flip_back = FLAGS_flip_back;
   job.fill_holes = FLAGS_fill_holes;
   job.certificate = FLAGS_certificate;
-  const ParameterizeOptions defaults =
-      FLAGS_domain == "sphere" ? SphereParameterizeOptions() : ParameterizeOptions();
+  const ParameterizeOptions defaults = Domains().Find(FLAGS_domain)->recommended;
   job.options = {.triangulation = FLAGS_triangulation,
                  .angle_fit = FLAGS_angle_fit.empty() ? defaults.angle_fit : FLAGS_angle_fit,
                  .angle_strategy = FLAGS_angle_strategy,
@@ -189,8 +182,10 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
                  .edge_costs = FLAGS_edge_costs,
                  .epsilon = FLAGS_epsilon,
                  .max_iterations = FLAGS_max_iterations};
-  job.domain = {FLAGS_domain,        FLAGS_centre,  FLAGS_angle_zero, FLAGS_pole,
-                FLAGS_normalization, FLAGS_corners, FLAGS_sides};
+  job.domain = {FLAGS_domain, FLAGS_centre,         FLAGS_angle_zero,
+                FLAGS_pole,   FLAGS_normalization,  FLAGS_corners,
+                FLAGS_sides,  FLAGS_principal_axes, FLAGS_inversion};
+  job.latlong = FLAGS_latlong;
   return job;
 }
 

@@ -7,7 +7,7 @@
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 
-#include "experiments/circle_patterns/measures.h"
+#include "experiments/circle_patterns/outputs.h"
 #include "experiments/circle_patterns/prescriptions.h"
 #include "experiments/circle_patterns/run.h"
 
@@ -40,7 +40,7 @@ Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
     if (Status s = WriteMesh(job.output, planar); !s.ok()) return s;
     report << "wrote       " << job.output << "\n";
   }
-  return WriteMeasures(job, t, lengths, map->uv, planar.position, planar.corner, report);
+  return WriteMeasures(job, {t, lengths, planar.position, planar.corner}, map->uv, report);
 }
 
 }  // namespace
@@ -53,18 +53,15 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
   const FileNumbers numbers = OwnNumbers(t);
   const StatusOr<std::optional<Cut>> cut = PrescribedCut(job, t, metric->lengths, numbers);
   if (!cut.ok()) return cut.status();
-  const Cut* given = *cut ? &**cut : nullptr;
   Parameterization map;
   Status status;
   if (job.layout_only) {
-    status = LayOutFlatMetric(t, metric->lengths, given, &map);
+    status = LayOutFlatMetric(t, metric->lengths, *cut ? &**cut : nullptr, &map);
   } else {
     const StatusOr<std::optional<ConeTargets>> targets =
         PrescribedTargets(job, t, {t.num_vertices, numbers.vertex});
     if (!targets.ok()) return targets.status();
-    status = *targets
-                 ? Parameterize(t, metric->lengths, **targets, given, job.options, control, &map)
-                 : ParameterizeWithCones(t, metric->lengths, given, job.options, control, &map);
+    status = Parameterize(t, metric->lengths, {job.options, *targets, *cut}, control, &map);
   }
   if (status.ok()) status = WriteOutputs(job, t, metric->lengths, report, &map);
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {

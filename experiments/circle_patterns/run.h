@@ -19,6 +19,7 @@ struct DomainRequest {
   std::string normalization;  ///< empty: as the domain has it
   std::string corners;        ///< separated by commas
   int sides = 0;              ///< 0: as the domain has it
+  bool principal_axes = false, inversion = true;
 };
 
 /// What the program was asked to do.
@@ -34,6 +35,7 @@ struct CirclePatternsJob {
   bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric
   bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
   std::string certificate;  ///< where to write it; empty: beside the output
+  std::string latlong;      ///< .obj to write with latitude and longitude as texture; empty: none
   std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
   ParameterizeOptions options;
   DomainRequest domain;
@@ -45,10 +47,6 @@ std::string CertificatePath(const CirclePatternsJob& job);
 /// Where a proof of infeasibility leaves the faces and vertices that carry it: the certificate's
 /// path without ".certificate.json"; ".infeasible.csv" and ".infeasible.ply" are added.
 std::string CarrierStem(const CirclePatternsJob& job);
-
-/// Writes the job's CON file: the metric where it was solved or, flipped back, as near to the
-/// input's triangulation as it allows; the edges that stay are told and counted in the certificate.
-Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map);
 
 /// Writes the certificate, with the memory and the time of the process until now, and the carriers
 /// of its proof if it holds one. Returns `status`, or what kept it from writing.

@@ -16,20 +16,21 @@ constexpr char kHeaderOfFaces[] =
 
 }  // namespace
 
-PolygonSoup SphereMesh(const PolygonSoup& input, const Surface& surface, const SphereMap& map) {
+PolygonSoup SphereMesh(const PolygonSoup& input, const Surface& surface,
+                       const std::vector<Eigen::Vector3d>& position) {
   const Triangulation& t = surface.triangulation;
   PolygonSoup soup;
   soup.position.assign(input.position.size(), Eigen::Vector3d::Zero());
   for (Index v = 0; v < t.num_vertices; ++v) {
-    soup.position[surface.soup_vertex[v]] = map.position[v];
+    soup.position[surface.soup_vertex[v]] = position[v];
   }
   for (const Index v : t.vertex) soup.corner.push_back(surface.soup_vertex[v]);
   for (Index f = 1; f <= t.num_faces(); ++f) soup.first_corner.push_back(3 * f);
   return soup;
 }
 
-std::string SpherePly(const PolygonSoup& input, const Surface& surface, const SphereMap& map) {
-  const PolygonSoup image = SphereMesh(input, surface, map);
+std::string SpherePly(const PolygonSoup& input, const Surface& surface, const SurfaceMap& map) {
+  const PolygonSoup image = SphereMesh(input, surface, map.position);
   TextWriter out;
   out.Text("ply\nformat ascii 1.0\nelement vertex ");
   out.Number(input.position.size());

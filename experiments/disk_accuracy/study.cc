@@ -96,9 +96,10 @@ StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Ind
   if (!soup.ok() || !known.ok()) return soup.ok() ? known.status() : soup.status();
   const auto surface = SurfaceOf(*soup);
   if (!surface.ok()) return surface.status();
-  Parameterization map;
-  const Status status = MapToDisk(*surface, {}, {}, {}, &map);
-  if (!status.ok()) return status;
+  MapRequest request;
+  request.domain = "disk";
+  const StatusOr<SurfaceMap> map = MapSurface(*surface, request);
+  if (!map.ok()) return map.status();
   const Triangulation& t = surface->triangulation;
   std::vector<Complex> wanted, found(t.num_vertices);
   for (const Eigen::Vector3d& p : surface->position) {
@@ -108,7 +109,7 @@ StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Ind
   Index centre = kNone;
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     const Index v = t.vertex[h];
-    found[v] = {map.uv.value[h].x(), map.uv.value[h].y()};
+    found[v] = {map->uv.value[h].x(), map->uv.value[h].y()};
     if (found[v] == Complex(0)) centre = v;
   }
   const Moebius centring = Moebius::DiskAutomorphism(wanted[centre]);
@@ -152,12 +153,12 @@ Quadrilateral LShapeBetweenEnds(int n) {
 StatusOr<AccuracyRow> ModulusError(const Quadrilateral& quadrilateral) {
   const auto surface = SurfaceOf(quadrilateral.soup);
   if (!surface.ok()) return surface.status();
-  DomainOptions domain;
-  domain.corners = quadrilateral.corners;  // no vertex is isolated: the surface numbers them alike
-  Parameterization map;
-  const Status status = MapToRectangle(*surface, domain, {}, {}, &map);
-  if (!status.ok()) return status;
-  const double modulus = map.certificate.values.at("conformal_modulus");
+  MapRequest request;
+  request.domain = "rectangle";
+  request.shape.corners = quadrilateral.corners;  // as in the file: no vertex is isolated
+  const StatusOr<SurfaceMap> map = MapSurface(*surface, request);
+  if (!map.ok()) return map.status();
+  const double modulus = map->certificate.values.at("conformal_modulus");
   return AccuracyRow{surface->triangulation.num_faces(), modulus,
                      std::abs(modulus - quadrilateral.modulus)};
 }

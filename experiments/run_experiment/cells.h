@@ -26,7 +26,7 @@ struct MeshSpec {
 struct MethodSpec {
   std::string name;  ///< unique within a config
   ParameterizeOptions options;
-  std::string domain = "plane";  ///< a name of DomainNames()
+  std::string domain = "plane";  ///< a name of Domains()
 };
 
 /// What a run may take before it is ended; 0: anything.

@@ -6,10 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <glog/logging.h>
-
-#include "cirque/domains/registry.h"
-#include "cirque/domains/sphere.h"
+#include "cirque/domains/domain.h"
 #include "cirque/metrics/measure_map.h"
 #include "cirque/metrics/spherical.h"
 
@@ -18,6 +15,8 @@
 
 namespace cirque {
 namespace {
+
+constexpr char kPlane[] = "plane";
 
 /// Measures of a map as a whole: faces each in a plane of their own have none.
 constexpr std::array kOfOnePlane = {"overlap_area",  "covered_twice_area", "cut_length",
@@ -33,43 +32,34 @@ void TakeCertificate(Certificate certificate, RunResult* result) {
   result->certificate = std::move(certificate);
 }
 
-Status AddMeasures(const std::vector<std::string>& measures, const Surface& surface,
-                   const CornerUv& uv, RunResult* result) {
+Status AddMeasures(std::vector<std::string> measures, const Surface& surface, const SurfaceMap& map,
+                   RunResult* result) {
+  if (map.IsOnSphere()) std::erase_if(measures, IsOfOnePlane);
   if (measures.empty()) return Status();
-  auto figures = MeasureFigures(surface.triangulation, MeasureEdgeLengths(surface), uv, measures);
+  const Triangulation& t = surface.triangulation;
+  auto figures = MeasureFigures(
+      t, MeasureEdgeLengths(surface),
+      map.IsOnSphere() ? FacesInPlane(t, ChordLengths(t, map.position)) : map.uv, measures);
   if (!figures.ok()) return figures.status();
   result->certificate.values.merge(*figures);
   return Status();
 }
 
-Status MapToSphereOf(const Cell& cell, const PolygonSoup& soup, const Surface& surface,
-                     RunResult* result) {
-  SphereMap map;
-  const Status status =
-      MapToSphere(surface, SphereOptions(), cell.method.options, SolveControl(), &map);
-  TakeCertificate(std::move(map.certificate), result);
-  if (!status.ok()) return status;
-  if (cell.keep_map) result->map = SphereMesh(soup, surface, map);
-  const Triangulation& t = surface.triangulation;
-  std::vector<std::string> measures = cell.measures;
-  std::erase_if(measures, IsOfOnePlane);
-  return AddMeasures(measures, surface, FacesInPlane(t, ChordLengths(t, map.position)), result);
-}
-
-Status MapToThePlane(const Cell& cell, const Surface& surface, Parameterization* map) {
-  const ParameterizeOptions& options = cell.method.options;
-  if (!cell.mesh.known_boundary) {
-    return ParameterizeWithCones(surface, nullptr, options, SolveControl(), map);
-  }
-  const StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
+StatusOr<MapRequest> RequestOf(const Cell& cell, const Surface& surface) {
+  MapRequest request;
+  request.domain = cell.method.domain;
+  request.options = cell.method.options;
+  if (request.domain != kPlane || !cell.mesh.known_boundary) return request;
+  StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
   if (!targets.ok()) return targets.status();
-  return Parameterize(surface, *targets, nullptr, options, SolveControl(), map);
+  request.targets = *std::move(targets);
+  return request;
 }
 
 /// A closed surface's known map has periods: it is known up to more than a similarity. Midpoints
 /// do not lie on the smooth surface.
 bool HasKnownImage(const Cell& cell, const Surface& surface) {
-  return cell.method.domain == "plane" && cell.mesh.subdivisions == 0 &&
+  return cell.method.domain == kPlane && cell.mesh.subdivisions == 0 &&
          !BoundaryLoops(surface.triangulation).empty();
 }
 
@@ -77,21 +67,20 @@ bool HasKnownImage(const Cell& cell, const Surface& surface) {
 
 Status MapCell(const Cell& cell, const PolygonSoup& soup, const Surface& surface,
                RunResult* result) {
-  const Domain* domain = FindDomain(cell.method.domain);
-  CHECK(domain != nullptr) << cell.method.domain;
-  if (domain->name == "sphere") return MapToSphereOf(cell, soup, surface, result);
-  Parameterization map;
-  const Status status =
-      domain->map == nullptr
-          ? MapToThePlane(cell, surface, &map)
-          : domain->map(surface, DomainOptions(), cell.method.options, SolveControl(), &map);
-  TakeCertificate(std::move(map.certificate), result);
-  if (!status.ok()) return status;
+  const StatusOr<MapRequest> request = RequestOf(cell, surface);
+  if (!request.ok()) return request.status();
+  Certificate failed;
+  StatusOr<SurfaceMap> map = MapSurface(surface, *request, SolveControl(), &failed);
+  TakeCertificate(std::move(map.ok() ? map->certificate : failed), result);
+  if (!map.ok()) return map.status();
   if (HasKnownImage(cell, surface)) {
-    result->certificate.values.merge(KnownMapErrors(cell.mesh, surface, map.uv));
+    result->certificate.values.merge(KnownMapErrors(cell.mesh, surface, map->uv));
   }
-  if (cell.keep_map) result->map = AttachUv(soup, surface, map.uv);
-  return AddMeasures(cell.measures, surface, map.uv, result);
+  if (cell.keep_map) {
+    result->map = map->IsOnSphere() ? SphereMesh(soup, surface, map->position)
+                                    : AttachUv(soup, surface, map->uv);
+  }
+  return AddMeasures(cell.measures, surface, *map, result);
 }
 
 }  // namespace cirque

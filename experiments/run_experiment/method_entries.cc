@@ -34,10 +34,10 @@ std::string OwnKeys(const Domain& domain) {
 }
 
 void CheckDomain(const YAML::Node& entry, const std::string& name, Diagnostics* problems) {
-  const Domain& domain = *FindDomain(name);
+  const Domain domain = *Domains().Find(name);
   for (const MethodField& field : MethodFields()) {
     const YAML::Node value = entry[field.name];
-    if (!value || !IsForeign(domain, field.name)) continue;
+    if (!value || domain.Reads(field.name) || !IsReadBySomeDomain(field.name)) continue;
     problems->Add(PlaceOf(value), fmt::format("'{}' has no meaning with domain '{}', which takes "
                                               "{}; give that domain an entry of its own",
                                               field.name, name, OwnKeys(domain)));

@@ -106,7 +106,7 @@ Schema MethodSchema() {
                     .help = "what surfaces are mapped to; vertices that a shape needs are chosen",
                     .default_text = MethodSpec().domain,
                     .matrix = true,
-                    .choices = DomainNames()}};
+                    .choices = Domains().Names()}};
   for (const MethodField& field : MethodFields()) schema.push_back(ForMethod(field));
   return schema;
 }

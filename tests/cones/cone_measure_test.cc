@@ -119,7 +119,7 @@ TEST(AngleMeasure, FitsLowerItAndItPredictsTheMap) {
     const auto realised = [&](const std::string& measure) {
       options.cones = "moving:measure=" + measure;
       Parameterization map;
-      EXPECT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &map).ok());
+      EXPECT_TRUE(Parameterize(surface, {options}, {}, &map).ok());
       const EdgeLengths lengths = MeasureEdgeLengths(surface);
       const ConeProblem problem(surface.triangulation, lengths);
       const std::vector<Cone> cones = ConesOf(surface.triangulation, map.targets);

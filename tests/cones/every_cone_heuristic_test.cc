@@ -101,7 +101,7 @@ TEST_P(EveryConeHeuristic, KeepsItsPromises) {
 TEST_P(EveryConeHeuristic, EndsInAMap) {
   if (GetParam().heuristic == "none" && NeedsCones()) GTEST_SKIP() << "refused, as tested above";
   Parameterization map;
-  const Status status = ParameterizeWithCones(surface_, nullptr, options_, {}, &map);
+  const Status status = Parameterize(surface_, {options_}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_EQ(map.certificate.values.at("flipped_triangles"), 0);
   EXPECT_LT(map.certificate.values.at("quasi_conformal_mean"), 1.25);
@@ -118,7 +118,7 @@ TEST(ConeHeuristics, BetterConesAreBetterThanPeaks) {
     options.cones = name;
     options.cone_budget = 12;
     Parameterization map;
-    EXPECT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &map).ok()) << name;
+    EXPECT_TRUE(Parameterize(surface, {options}, {}, &map).ok()) << name;
     return map.certificate.values.at("log_area_ratio_l2");
   };
   const double moving = distortion("moving");

@@ -44,11 +44,11 @@ TEST(CutCosts, TheCutGoesWhereItIsCheap) {
   ParameterizeOptions options;
   options.cut_cost = "length";
   Parameterization shortest;
-  ASSERT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &shortest).ok());
+  ASSERT_TRUE(Parameterize(surface, {options}, {}, &shortest).ok());
   for (const char* word : {"flat_length", "distortion", "curvature"}) {
     options.cut_cost = word;
     Parameterization map;
-    ASSERT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &map).ok()) << word;
+    ASSERT_TRUE(Parameterize(surface, {options}, {}, &map).ok()) << word;
     EXPECT_GT(map.certificate.values.at("cut_length"), 1) << word;
   }
   // The edges of the short cut made dear, another one is found, and it is longer.
@@ -64,7 +64,7 @@ TEST(CutCosts, TheCutGoesWhereItIsCheap) {
   options.edge_costs = testing::TempDir() + "edge_costs.txt";
   ASSERT_TRUE(WriteFileAtomically(options.edge_costs, text).ok());
   Parameterization other;
-  ASSERT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &other).ok());
+  ASSERT_TRUE(Parameterize(surface, {options}, {}, &other).ok());
   int shared = 0;
   for (Index e = 0; e < t.num_edges(); ++e) shared += shortest.cut.edge[e] && other.cut.edge[e];
   EXPECT_LT(shared, 3);

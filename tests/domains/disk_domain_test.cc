@@ -8,12 +8,13 @@
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
 
+#include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
 namespace {
 
-std::vector<Complex> Places(const Surface& surface, const Parameterization& map) {
+std::vector<Complex> Places(const Surface& surface, const SurfaceMap& map) {
   std::vector<Complex> place(surface.triangulation.num_vertices);
   for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
     place[surface.triangulation.vertex[h]] = {map.uv.value[h].x(), map.uv.value[h].y()};
@@ -21,13 +22,8 @@ std::vector<Complex> Places(const Surface& surface, const Parameterization& map)
   return place;
 }
 
-Parameterization MapTo(const Surface& surface, const DomainOptions& domain = {},
-                       StatusCode wanted = StatusCode::kOk) {
-  Parameterization map;
-  const Status status = MapToDisk(surface, domain, {}, {}, &map);
-  EXPECT_EQ(status.code(), wanted) << status.message();
-  EXPECT_EQ(map.certificate.outcome, ToString(wanted));
-  return map;
+SurfaceMap MapTo(const Surface& surface, const DomainOptions& shape = {}) {
+  return MustMap(surface, RequestFor("disk", shape));
 }
 
 Index SomeVertex(const Surface& surface, bool boundary, int which = 0) {
@@ -39,7 +35,7 @@ Index SomeVertex(const Surface& surface, bool boundary, int which = 0) {
 }
 
 /// On the circle, counter-clockwise once round, nothing flipped.
-void ExpectDisk(const Surface& surface, const Parameterization& map) {
+void ExpectDisk(const Surface& surface, const SurfaceMap& map) {
   const Triangulation& t = surface.triangulation;
   ASSERT_EQ(map.uv.value.size(), t.vertex.size());
   EXPECT_TRUE(FlippedFaces(t, map.uv).empty());
@@ -61,7 +57,7 @@ TEST(DiskDomain, GeneratedDisksOfManyShapes) {
                            "capped_tube", "hexagonal_fan", "flat_delaunay_patch"}) {
     SCOPED_TRACE(name);
     const Surface surface = GeneratedSurface(name, 600);
-    const Parameterization map = MapTo(surface);
+    const SurfaceMap map = MapTo(surface);
     ExpectDisk(surface, map);
     EXPECT_EQ(map.certificate.values.at("boundary_spread"), 0);
     EXPECT_LT(map.certificate.values.at("core_quasi_conformal_mean"), 1.35);
@@ -74,7 +70,7 @@ TEST(DiskDomain, ChosenCentreAndAngleZeroAreExact) {
   DomainOptions domain;
   domain.centre = SomeVertex(surface, false, 40);
   domain.angle_zero = SomeVertex(surface, true, 9);
-  const Parameterization map = MapTo(surface, domain);
+  const SurfaceMap map = MapTo(surface, domain);
   ExpectDisk(surface, map);
   const std::vector<Complex> place = Places(surface, map);
   EXPECT_EQ(place[domain.centre], Complex(0));
@@ -108,7 +104,7 @@ TEST(DiskDomain, PolesGiveTheSameMapUpToTurningAndDiscretization) {
 
 TEST(DiskDomain, HemisphereComesNearItsStereographicImage) {
   const Surface surface = GeneratedSurface("hemisphere", 4000);
-  const Parameterization map = MapTo(surface);
+  const SurfaceMap map = MapTo(surface);
   const auto centre = static_cast<Index>(map.certificate.values.at("centre_vertex"));
   const auto zero = static_cast<Index>(map.certificate.values.at("angle_zero_vertex"));
   const auto known = [&](Index v) {
@@ -130,7 +126,7 @@ TEST(DiskDomain, NormalizationsCentreTheirMasses) {
   DomainOptions domain;
   for (const char* name : {"boundary", "area"}) {
     domain.normalization = name;
-    const Parameterization map = MapTo(surface, domain);
+    const SurfaceMap map = MapTo(surface, domain);
     ExpectDisk(surface, map);
     const auto& values = map.certificate.values;
     EXPECT_LT(values.at(std::string(name) + "_centre_of_mass"), 1e-14) << name;
@@ -180,35 +176,34 @@ TEST(DiskDomain, SmallestDisksAreMapped) {
 }
 
 TEST(DiskDomain, WhatIsNoDiskOrNoSuchVertexIsRefused) {
-  MapTo(GeneratedSurface("annulus", 100), {}, StatusCode::kInvalidInput);
-  MapTo(GeneratedSurface("sphere", 100), {}, StatusCode::kInvalidInput);
+  MustFail(GeneratedSurface("annulus", 100), RequestFor("disk"), StatusCode::kInvalidInput);
+  MustFail(GeneratedSurface("sphere", 100), RequestFor("disk"), StatusCode::kInvalidInput);
   const Surface surface = GeneratedSurface("hexagonal_fan", 50);
   DomainOptions domain;
   domain.centre = SomeVertex(surface, true);
-  MapTo(surface, domain, StatusCode::kInvalidInput);
+  MustFail(surface, RequestFor("disk", domain), StatusCode::kInvalidInput);
   domain = {};
   domain.angle_zero = domain.pole = SomeVertex(surface, false);
-  MapTo(surface, domain, StatusCode::kInvalidInput);
+  MustFail(surface, RequestFor("disk", domain), StatusCode::kInvalidInput);
   domain = {};
   domain.pole = SomeVertex(surface, false);
-  MapTo(surface, domain, StatusCode::kInvalidInput);
+  MustFail(surface, RequestFor("disk", domain), StatusCode::kInvalidInput);
   domain = {};
   domain.normalization = "are";
-  MapTo(surface, domain, StatusCode::kInvalidInput);
+  MustFail(surface, RequestFor("disk", domain), StatusCode::kInvalidInput);
 }
 
 TEST(DiskDomain, LongLimbIsSpreadAndStillNotFlipped) {
   // A strip 60 times as long as wide: the ends' images differ by e^-90 of the middle's.
   const Surface strip = FlatStrip(240, 4);
-  const Parameterization map = MapTo(strip);
+  const SurfaceMap map = MapTo(strip);
   ExpectDisk(strip, map);
   EXPECT_GT(map.certificate.values.at("boundary_spread"), 0);
 }
 
 TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
   const Surface surface = GeneratedSurface("hemisphere", 500);
-  Parameterization map;
-  ASSERT_TRUE(MapToHalfPlane(surface, {}, {}, {}, &map).ok());
+  const SurfaceMap map = MustMap(surface, RequestFor("half_plane"));
   EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
   const std::vector<Complex> place = Places(surface, map);
   const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);

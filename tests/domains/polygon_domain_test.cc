@@ -6,6 +6,7 @@
 #include "cirque/domains/domain.h"
 #include "cirque/metrics/injectivity.h"
 
+#include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -35,8 +36,7 @@ TEST(RectangleDomain, RectangularGridHasItsOwnModulus) {
   domain.corners = StripCorners(12, 4);
   ParameterizeOptions options;
   options.epsilon = 1e-12;  // the grid's diagonals are on the verge of Delaunay
-  Parameterization map;
-  ASSERT_TRUE(MapToRectangle(strip, domain, options, {}, &map).ok());
+  const SurfaceMap map = MustMap(strip, RequestFor("rectangle", domain, options));
   EXPECT_NEAR(map.certificate.values.at("conformal_modulus"), 3, 1e-9);
   for (Index h = 0; h < strip.triangulation.num_halfedges(); ++h) {
     const Eigen::Vector3d& p = strip.position[strip.triangulation.vertex[h]];
@@ -52,11 +52,9 @@ TEST(RectangleDomain, OppositeCornersTurnTheModulusOver) {
   for (const std::size_t k : {0, 9, 20, 31}) {
     domain.corners.push_back(surface.triangulation.Tail(loop[k % loop.size()]));
   }
-  Parameterization map, turned;
-  const Status status = MapToRectangle(surface, domain, {}, {}, &map);
-  ASSERT_TRUE(status.ok()) << status.message();
+  const SurfaceMap map = MustMap(surface, RequestFor("rectangle", domain));
   std::rotate(domain.corners.begin(), domain.corners.begin() + 1, domain.corners.end());
-  ASSERT_TRUE(MapToRectangle(surface, domain, {}, {}, &turned).ok());
+  const SurfaceMap turned = MustMap(surface, RequestFor("rectangle", domain));
   const double modulus = map.certificate.values.at("conformal_modulus");
   EXPECT_NEAR(modulus * turned.certificate.values.at("conformal_modulus"), 1, 1e-9);
   EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
@@ -74,9 +72,7 @@ TEST(PolygonDomain, CornersHaveEqualAnglesAndSidesAreStraight) {
   for (const int sides : {3, 5, 6}) {
     DomainOptions domain;
     domain.sides = sides;
-    Parameterization map;
-    const Status status = MapToPolygon(surface, domain, {}, {}, &map);
-    ASSERT_TRUE(status.ok()) << status.message();
+    const SurfaceMap map = MustMap(surface, RequestFor("polygon", domain));
     const std::vector<double> sums = AngleSums(surface, map.uv);
     const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
     int corners = 0;
@@ -104,17 +100,17 @@ TEST(PolygonDomain, ExteriorAnglesAreFollowed) {
     const Index v = surface.triangulation.Tail(loop[loop.size() * k / 4]);
     targets.lower[v] = targets.upper[v] = kPi * (1 - exterior[k]);
   }
-  Parameterization map;
-  const Status status = MapToExteriorAngles(surface, targets, {}, {}, &map);
-  ASSERT_TRUE(status.ok()) << status.message();
+  MapRequest request = RequestFor("polygon");
+  request.targets = targets;
+  const SurfaceMap map = MustMap(surface, request);
   const std::vector<double> sums = AngleSums(surface, map.uv);
   for (int k = 0; k < 4; ++k) {
     const Index v = surface.triangulation.Tail(loop[loop.size() * k / 4]);
     EXPECT_NEAR(sums[v], kPi * (1 - exterior[k]), 1e-8);
   }
-  targets.lower[surface.triangulation.Tail(loop[0])] = 0.5;  // no more 2 pi in all
-  targets.upper[surface.triangulation.Tail(loop[0])] = 0.5;
-  EXPECT_EQ(MapToExteriorAngles(surface, targets, {}, {}, &map).code(), StatusCode::kInfeasible);
+  request.targets->lower[surface.triangulation.Tail(loop[0])] = 0.5;  // no more 2 pi in all
+  request.targets->upper[surface.triangulation.Tail(loop[0])] = 0.5;
+  MustFail(surface, request, StatusCode::kInfeasible);
 }
 
 TEST(PolygonDomain, BadCornersAreRefused) {
@@ -127,10 +123,7 @@ TEST(PolygonDomain, BadCornersAreRefused) {
   const auto code = [&](std::vector<Index> corners) {
     DomainOptions domain;
     domain.corners = std::move(corners);
-    Parameterization map;
-    const Status status = MapToRectangle(surface, domain, {}, {}, &map);
-    EXPECT_EQ(map.certificate.message, status.message());
-    return status.code();
+    return MapSurface(surface, RequestFor("rectangle", domain)).status().code();
   };
   EXPECT_EQ(code({on[0], on[3], on[6], on[9]}), StatusCode::kOk);
   EXPECT_EQ(code({on[0], on[3], on[6]}), StatusCode::kInvalidInput);
@@ -138,10 +131,8 @@ TEST(PolygonDomain, BadCornersAreRefused) {
   EXPECT_EQ(code({on[0], on[3], on[6], inside[0]}), StatusCode::kInvalidInput);
   DomainOptions domain;
   domain.sides = 2;
-  Parameterization map;
-  EXPECT_EQ(MapToPolygon(surface, domain, {}, {}, &map).code(), StatusCode::kInvalidInput);
-  EXPECT_EQ(MapToRectangle(GeneratedSurface("annulus", 100), {}, {}, {}, &map).code(),
-            StatusCode::kInvalidInput);
+  MustFail(surface, RequestFor("polygon", domain), StatusCode::kInvalidInput);
+  MustFail(GeneratedSurface("annulus", 100), RequestFor("rectangle"), StatusCode::kInvalidInput);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "experiments/circle_patterns/run.h"
 #include "experiments/verify_map/infeasibility_check.h"
+#include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -138,11 +139,11 @@ TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
 
 TEST_F(InfeasibleEndToEnd, AProofAboutADiskThatClaimsTooMuchIsRejected) {
   const PolygonSoup soup = InfeasibleDisk(true);
-  Parameterization map;
   ParameterizeOptions on_input;
   on_input.triangulation = "input";
-  ASSERT_EQ(MapToDisk(SurfaceOf(soup), {}, on_input, {}, &map).code(), StatusCode::kInfeasible);
-  const InfeasibilityCertificate good = map.certificate.infeasibility;
+  const InfeasibilityCertificate good =
+      MustFail(SurfaceOf(soup), RequestFor("disk", {}, on_input), StatusCode::kInfeasible)
+          .infeasibility;
   const auto rejection = [&](const InfeasibilityCertificate& bad) {
     return verify_map::CheckInfeasibility(bad, soup)->Verdict();
   };

@@ -104,7 +104,7 @@ std::string VerifyFlags(const std::string& domain) {
 
 // verify_map, which shares no code with the solver, judges what the runner leaves behind.
 TEST_F(RunExperimentKeys, EveryDomainRunsAndItsMapVerifies) {
-  for (const std::string& domain : DomainNames()) {
+  for (const std::string& domain : Domains().Names()) {
     SCOPED_TRACE(domain);
     const std::string generator = GeneratorFor(domain), input = folder_.Path(domain + ".obj");
     const std::vector<Record> records =

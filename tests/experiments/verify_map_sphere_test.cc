@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/domains/sphere.h"
 #include "cirque/generators/generators.h"
 
 #include "experiments/verify_map/infeasibility_check.h"
 #include "experiments/verify_map/sphere_check.h"
+#include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque::verify_map {
@@ -110,10 +110,10 @@ TEST_F(VerifySphereTest, AProofWithoutAVertexIsCheckedAgainstTheRest) {
   const cirque::Surface kleetope = Kleetope(GeneratedSurface("sphere", 60));
   ParameterizeOptions on_input;
   on_input.triangulation = "input";
-  SphereMap map;
-  ASSERT_EQ(MapToSphere(kleetope, {2}, on_input, {}, &map).code(), StatusCode::kInfeasible);
+  const Certificate certificate =
+      MustFail(kleetope, RequestFor("sphere", {.pole = 2}, on_input), StatusCode::kInfeasible);
   const PolygonSoup soup = SoupOf(kleetope);
-  const InfeasibilityCertificate good = *ParseInfeasibilityCertificate(map.certificate.ToJson());
+  const InfeasibilityCertificate good = *ParseInfeasibilityCertificate(certificate.ToJson());
   EXPECT_EQ(good.removed_vertex, 2);
   const InfeasibilityReport report = *CheckInfeasibility(good, soup);
   EXPECT_TRUE(report.accepted()) << report.Verdict();

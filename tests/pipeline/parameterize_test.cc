@@ -18,7 +18,7 @@ Status FreeBoundaryMap(const Surface& surface, const ParameterizeOptions& option
                        const SolveControl& control, Parameterization* map) {
   const StatusOr<ConeTargets> targets = DefaultTargets(surface);
   if (!targets.ok()) return targets.status();
-  return Parameterize(surface, *targets, nullptr, options, control, map);
+  return Parameterize(surface, {options, *targets}, control, map);
 }
 
 Parameterization Flatten(const Surface& surface, StatusCode wanted = StatusCode::kOk,
@@ -105,7 +105,7 @@ TEST(Parameterize, SeveralPatchesArePackedIntoTheUnitSquare) {
       CutAlongShortestPaths(t, MeasureEdgeLengths(surface).value, {{from, to}});
   ASSERT_TRUE(cut.ok()) << cut.status().message();
   Parameterization map;
-  const Status status = Parameterize(surface, FreeBoundaryTargets(t), &*cut, {}, {}, &map);
+  const Status status = Parameterize(surface, {{}, FreeBoundaryTargets(t), *cut}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_GE(map.certificate.values.at("patches"), 2);
   EXPECT_EQ(map.certificate.overlap, "injective");
@@ -120,7 +120,7 @@ TEST(Parameterize, ACutThatMissesAConeIsRefused) {
   const Triangulation& t = surface.triangulation;
   Cut nothing = {std::vector<bool>(t.num_edges(), false)};
   Parameterization map;
-  const Status status = Parameterize(surface, *DefaultTargets(surface), &nothing, {}, {}, &map);
+  const Status status = Parameterize(surface, {{}, *DefaultTargets(surface), nothing}, {}, &map);
   EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
   EXPECT_TRUE(map.uv.value.empty());
 }
@@ -187,7 +187,7 @@ TEST(Parameterize, IsTheSameForAnyNumberOfThreadsSlow) {
   const auto map = [&](int threads) {
     const ThreadLimit limit(threads);
     Parameterization result;
-    EXPECT_TRUE(Parameterize(surface, targets, nullptr, {}, {}, &result).ok());
+    EXPECT_TRUE(Parameterize(surface, {{}, targets}, {}, &result).ok());
     return result.uv.value;
   };
   const std::vector<Eigen::Vector2d> of_one = map(1);

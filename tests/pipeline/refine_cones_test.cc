@@ -78,8 +78,7 @@ TEST(AreaDistortion, IsHalfTheSquareOfTheMeasureWithoutFlips) {
   const Surface surface = GeneratedSurface("blob", 800);
   Parameterization map;
   ASSERT_TRUE(
-      Parameterize(surface, *DefaultTargets(surface), nullptr, OnInput("quadratic"), {}, &map)
-          .ok());
+      Parameterize(surface, {OnInput("quadratic"), *DefaultTargets(surface)}, {}, &map).ok());
   const double l2 = map.certificate.values.at("log_area_ratio_l2");
   EXPECT_GT(l2, 0.1);
   EXPECT_NEAR(std::sqrt(2 * AreaDistortion(map.flat)), l2, 1e-8 * l2);
@@ -92,9 +91,9 @@ TEST(RefineCones, LowersTheRealisedDistortionAndKeepsGaussBonnet) {
     ParameterizeOptions options;
     options.cones = "greedy:fit=zero_at_cones";
     Parameterization start, refined;
-    ASSERT_TRUE(ParameterizeWithCones(surface, nullptr, options, {}, &start).ok());
+    ASSERT_TRUE(Parameterize(surface, {options}, {}, &start).ok());
     options.refine_cones = 6;
-    const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &refined);
+    const Status status = Parameterize(surface, {options}, {}, &refined);
     ASSERT_TRUE(status.ok()) << status.message();
     const auto& values = refined.certificate.values;
     EXPECT_GE(values.at("refinement_steps"), 1);
@@ -123,7 +122,7 @@ TEST(RefineCones, RangedConesStartWhereTheFitPutThem) {
   options.cone_angles = "ranges:width=0.3";
   options.refine_cones = 3;
   Parameterization map;
-  const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+  const Status status = Parameterize(surface, {options}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_LE(map.certificate.values.at("refinement_area_distortion_after"),
             map.certificate.values.at("refinement_area_distortion_before"));
@@ -163,7 +162,7 @@ TEST(RepairCones, InfeasibleConesEndInAMapThatSaysSo) {
   options.cones = "given:file=" + path;
   options.triangulation = "input";
   Parameterization map;
-  const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+  const Status status = Parameterize(surface, {options}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
   EXPECT_GE(map.certificate.values.at("cone_repairs"), 1);
   EXPECT_EQ(map.certificate.values.at("flipped_triangles"), 0);

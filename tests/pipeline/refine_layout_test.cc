@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 Parameterization MapOf(const Surface& surface, const ParameterizeOptions& options) {
   Parameterization map;
-  const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+  const Status status = Parameterize(surface, {options}, {}, &map);
   EXPECT_TRUE(status.ok()) << status.message();
   return map;
 }
@@ -99,7 +99,7 @@ TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
   const Surface surface = GeneratedSurface("blob", 500);
   const auto refusal = [&](const ParameterizeOptions& options) {
     Parameterization map;
-    const Status status = ParameterizeWithCones(surface, nullptr, options, {}, &map);
+    const Status status = Parameterize(surface, {options}, {}, &map);
     EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
     EXPECT_EQ(map.certificate.seconds.count("angles"), 0);
     return status.message();

@@ -1,4 +1,5 @@
-// Maps of topological disks to the unit disk and to the half-plane (domain.h says how).
+#include "cirque/domains/disk_domain.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,6 @@
 
 #include "cirque/core/text.h"
 #include "cirque/domains/disk_placement.h"
-#include "cirque/domains/domain.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
@@ -21,11 +21,12 @@ constexpr int kMaxDoublings = 60;  ///< of the pole's height
 constexpr double kSpreads[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
 
 Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
-  const std::vector<std::string> known = {"none", "boundary", "area"};
+  const std::vector<std::string> known = {"", "none", "boundary", "area"};
   if (std::find(known.begin(), known.end(), domain.normalization) == known.end()) {
-    return Status::InvalidInput(UnknownName("normalization", domain.normalization, known));
+    return Status::InvalidInput(
+        UnknownName("normalization", domain.normalization, {"none", "boundary", "area"}));
   }
-  if (domain.normalization != "none" && domain.centre != kNone) {
+  if (PutsMassAtCentre(domain) && domain.centre != kNone) {
     return Status::InvalidInput("a centre vertex and a normalization exclude each other");
   }
   const std::vector<bool> boundary = BoundaryVertices(t);
@@ -79,9 +80,9 @@ void Certify(const Surface& surface, const HalfPlaneChart& chart, const DiskPlac
 }
 
 /// Distortion of what was solved alone: a face with all corners on the circle cannot but be flat.
-void MeasureCore(const Surface& surface, const std::vector<bool>& core, Parameterization* result) {
+void MeasureCore(const Surface& surface, const std::vector<bool>& core, SurfaceMap* map) {
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, result->uv);
+  const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, map->uv);
   double sum = 0, area = 0, largest = 1;
   for (Index i = 0; i < faces.num_faces(); ++i) {
     if (!core[faces.face[i]]) continue;
@@ -91,16 +92,16 @@ void MeasureCore(const Surface& surface, const std::vector<bool>& core, Paramete
     largest = std::max(largest, quasi_conformal);
   }
   Put({{"core_quasi_conformal_mean", sum / area}, {"core_quasi_conformal_max", largest}},
-      &result->certificate);
+      &map->certificate);
 }
 
-void Deliver(const Surface& surface, CornerUv uv, Parameterization* result) {
+void Deliver(const Surface& surface, CornerUv uv, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
-  result->uv = std::move(uv);
-  result->cut.edge.assign(t.num_edges(), false);
+  map->uv = std::move(uv);
+  map->cut.edge.assign(t.num_edges(), false);
   const Timer timer;
-  PutMeasures(t, MeasureEdgeLengths(surface), result);
-  result->certificate.seconds["measures"] = timer.Seconds();
+  PutMeasures(t, MeasureEdgeLengths(surface), map);
+  map->certificate.seconds["measures"] = timer.Seconds();
 }
 
 /// The share of spreading that distorts least among those that flip no triangle: the area-weighted
@@ -118,29 +119,6 @@ double SpreadBest(const Surface& surface, const HalfPlaneChart& chart, DiskPlace
     least = std::min(least, mean);
   }
   return best;
-}
-
-Status RunDisk(const Surface& surface, const DomainOptions& domain,
-               const ParameterizeOptions& options, const SolveControl& control,
-               Parameterization* result) {
-  const Triangulation& t = surface.triangulation;
-  if (Status s = CheckIsDisk(t); !s.ok()) return s;
-  if (Status s = CheckDiskOptions(t, domain); !s.ok()) return s;
-  DiskPlacement disk(surface, domain, control);
-  HalfPlaneChart chart;
-  bool clean = false;
-  const Status status = SolveHalfPlaneChart(
-      surface, domain.pole, options, control,
-      [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &result->certificate, &chart,
-      &clean);
-  if (!status.ok()) return status;
-  const double spread = clean ? 0 : SpreadBest(surface, chart, &disk);
-  if (!clean && !disk.Spread(chart, spread).empty())
-    return Unrepresentable("points of the unit disk");
-  Certify(surface, chart, disk, spread, &result->certificate);
-  Deliver(surface, disk.Uv(), result);
-  MeasureCore(surface, chart.disk.core, result);
-  return Status();
 }
 
 std::vector<Index> FlippedFrom(const Triangulation& t, const HalfPlaneChart& chart, double height,
@@ -164,9 +142,32 @@ double RaisePole(const Triangulation& t, const HalfPlaneChart& chart, CornerUv* 
   return height;
 }
 
-Status RunHalfPlane(const Surface& surface, const DomainOptions& domain,
-                    const ParameterizeOptions& options, const SolveControl& control,
-                    Parameterization* result) {
+}  // namespace
+
+Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                 SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  if (Status s = CheckIsDisk(t); !s.ok()) return s;
+  if (Status s = CheckDiskOptions(t, request.shape); !s.ok()) return s;
+  DiskPlacement disk(surface, request.shape, control);
+  HalfPlaneChart chart;
+  bool clean = false;
+  const Status status = SolveHalfPlaneChart(
+      surface, request.shape.pole, request.options, control,
+      [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &map->certificate, &chart,
+      &clean);
+  if (!status.ok()) return status;
+  const double spread = clean ? 0 : SpreadBest(surface, chart, &disk);
+  if (!clean && !disk.Spread(chart, spread).empty())
+    return Unrepresentable("points of the unit disk");
+  Certify(surface, chart, disk, spread, &map->certificate);
+  Deliver(surface, disk.Uv(), map);
+  MeasureCore(surface, chart.disk.core, map);
+  return Status();
+}
+
+Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
+                      const SolveControl& control, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
   const std::vector<bool> core = LargestChordlessPiece(t);
@@ -187,36 +188,17 @@ Status RunHalfPlane(const Surface& surface, const DomainOptions& domain,
     height = RaisePole(t, tried, &uv, &flipped);
     return flipped;
   };
-  const Status status = SolveHalfPlaneChart(surface, domain.pole, options, control, flips,
-                                            &result->certificate, &chart, &clean);
+  const Status status = SolveHalfPlaneChart(surface, request.shape.pole, request.options, control,
+                                            flips, &map->certificate, &chart, &clean);
   if (!status.ok()) return status;
   if (!clean) return Unrepresentable("points of the half-plane");
   Put({{"pole_vertex", FileNumber(surface, chart.disk.pole)},
        {"pole_height", height},
        {"boundary_straightness", chart.straightness},
        {"flipped_triangles", 0}},
-      &result->certificate);
-  Deliver(surface, std::move(uv), result);
+      &map->certificate);
+  Deliver(surface, std::move(uv), map);
   return Status();
-}
-
-}  // namespace
-
-Status MapToHalfPlane(const Surface& surface, const DomainOptions& domain,
-                      const ParameterizeOptions& options, const SolveControl& control,
-                      Parameterization* result) {
-  *result = Parameterization();
-  const Timer timer;
-  return Conclude(RunHalfPlane(surface, domain, options, control, result), timer,
-                  &result->certificate);
-}
-
-Status MapToDisk(const Surface& surface, const DomainOptions& domain,
-                 const ParameterizeOptions& options, const SolveControl& control,
-                 Parameterization* result) {
-  *result = Parameterization();
-  const Timer timer;
-  return Conclude(RunDisk(surface, domain, options, control, result), timer, &result->certificate);
 }
 
 }  // namespace cirque

@@ -51,6 +51,10 @@ Complex OnCircle(Complex w) { return w / std::abs(w); }
 
 }  // namespace
 
+bool PutsMassAtCentre(const DomainOptions& options) {
+  return !options.normalization.empty() && options.normalization != "none";
+}
+
 DiskPlacement::DiskPlacement(const Surface& surface, const DomainOptions& domain,
                              const SolveControl& control)
     : surface_(surface),
@@ -131,7 +135,7 @@ Index DiskPlacement::NearestToCentre(Complex c) const {
 /// The point of the chart that goes to 0.
 Complex DiskPlacement::ChooseCentre(Complex start) {
   centre_ = domain_.centre;
-  if (domain_.normalization != "none") {
+  if (PutsMassAtCentre(domain_)) {
     return BalancingPoint(PointsOf(domain_.normalization), start, control_);
   }
   if (centre_ == kNone) {

@@ -9,7 +9,10 @@
 
 namespace cirque {
 
-/// Puts the vertices of a topological disk into the unit disk (domain.h), from a chart in the
+/// Whether a centre of mass goes to 0 instead of a vertex.
+bool PutsMassAtCentre(const DomainOptions& options);
+
+/// Puts the vertices of a topological disk into the unit disk (MapToDisk), from a chart in the
 /// half-plane.
 class DiskPlacement {
  public:

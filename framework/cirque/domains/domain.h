@@ -3,93 +3,77 @@
 #include <string>
 #include <vector>
 
-#include "cirque/core/metric.h"
+#include <Eigen/Core>
+
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterize.h"
 
 namespace cirque {
 
-/// What a map onto a chosen shape is to look like. Vertices are the surface's; kNone: chosen. Each
-/// shape reads its own fields.
+/// What a map onto a chosen domain is to look like. Vertices are the surface's; kNone: chosen. Each
+/// domain reads its own fields (Domain::reads).
 struct DomainOptions {
   Index centre = kNone;      ///< disk: inner vertex that goes to 0
   Index angle_zero = kNone;  ///< disk: boundary vertex that goes to (1, 0)
-  /// disk, half-plane: the boundary vertex that the solve sends to infinity
+  /// The vertex that the solve sends to infinity. disk, half-plane: of the boundary. sphere: any.
   Index pole = kNone;
-  /// disk, instead of a centre: "boundary" or "area" puts a centre of mass at 0 (MapToDisk)
-  std::string normalization = "none";
-  /// rectangle, polygon: corner vertices in the boundary's order, the surface on its left
-  std::vector<Index> corners;
+  /// disk, instead of a centre: "boundary" or "area" puts a centre of mass at 0 (MapToDisk).
+  /// sphere: a name of SphereNormalizations(). Empty: as the domain has it.
+  std::string normalization = {};
+  /// rectangle, polygon, triangle: corner vertices in the boundary's order, the surface on its left
+  std::vector<Index> corners = {};
   int sides = 4;  ///< polygon without corners given: how many
+  /// sphere: turned so that the second moments of the surface's area on it are largest along x and
+  /// smallest along z, the third moments along x and y positive. (Symmetric surfaces leave axes or
+  /// signs undetermined: rounding then decides, the same way every time.)
+  bool principal_axes = false;
+  /// sphere: fit the flat angles to those of the surface after an inversion of space about the
+  /// pole; false: to the surface's own, which distorts more (for comparisons).
+  bool inversion = true;
 };
 
-/// Conformal map of a topological disk to the unit disk: the star of a boundary vertex, the pole,
-/// is taken off; the rest is solved with a straight boundary (angle sums pi) that turns along the
-/// pole's link by the angles which the pole's own triangles give it, to at most pi / 2 at the
-/// link's ends and pi between them, so that the faces at the pole are Delaunay in the surface and
-/// its mirror image; a Moebius map takes the half-plane to the disk, infinity being where the pole
-/// goes. Boundary vertices lie on the unit circle to rounding, the centre exactly at 0, the vertex
-/// of angle zero exactly at (1, 0).
-///
-/// Without a centre given it is the inner vertex nearest to where `normalization` "area" would put
-/// 0. "boundary": the boundary vertices, weighted by boundary length of the surface, have their
-/// centre of mass at 0 (two-dimensional Lorentz energy). "area": so have all vertices, weighted by
-/// area of the surface, on the hemisphere of which the disk is the stereographic image.
-///
-/// Faces beyond an edge that joins two boundary vertices (ears, for instance) cannot be solved with
-/// the rest, whose straight boundary leaves them no area: their boundary goes onto the arc, inner
-/// vertices to means of their neighbours. Input triangles that come out flipped get their edges
-/// locked, then the input's connectivity is tried. Where even so the disk's coordinates do not tell
-/// vertices apart (a corridor of length l and width w has an image of about e^{-pi l / w}), the
-/// boundary is spread out by as little as helps, towards its arc length, and the interior follows
-/// as a convex embedding, which is never flipped: certificate value boundary_spread in (0, 1], 0
-/// for a conformal map.
-///
-/// Certificate: those of Flatten for the part that was solved; pole_vertex, centre_vertex and
-/// angle_zero_vertex as the input file numbers them from 0; overhanging_faces, boundary_spread,
-/// boundary_straightness, boundary_circle_error, centre_error, boundary_centre_of_mass,
-/// area_centre_of_mass, flipped_triangles, and the measures of Parameterize, those of distortion
-/// also as core_quasi_conformal_mean and _max for the faces that no chord cuts off (a triangle with
-/// its corners on the circle is the flatter the smaller it is, whatever one does). Errors:
-/// kInvalidInput for a surface that is no disk and for vertices that do not fit, and those of
-/// Flatten: kInfeasible with a proof about the input's connectivity without the faces beyond chords
-/// and those of the proof's removed vertex, a pole, the boundary straight but along the pole's
-/// link, which is bounded only. `result` has no flat metric of the whole surface.
-Status MapToDisk(const Surface& surface, const DomainOptions& domain,
-                 const ParameterizeOptions& options, const SolveControl& control,
-                 Parameterization* result);
+/// What is to be mapped onto what, and how.
+struct MapRequest : ParameterizeRequest {
+  std::string domain = "plane";  ///< a name of Domains()
+  DomainOptions shape = {};
+};
 
-/// The same solve, in the upper half-plane: the boundary on the real axis from 0 to 1, the pole,
-/// which belongs at infinity, at a finite point high above (0.5 + i pole_height) from which its
-/// faces are not flipped. Errors as above; also kInvalidInput for faces beyond an edge that joins
-/// two boundary vertices.
-Status MapToHalfPlane(const Surface& surface, const DomainOptions& domain,
-                      const ParameterizeOptions& options, const SolveControl& control,
-                      Parameterization* result);
+/// A conformal map of a surface: `uv` of its corners in the plane, or `position` of its vertices on
+/// the sphere.
+struct SurfaceMap : Parameterization {
+  std::vector<Eigen::Vector3d> position;  ///< per vertex, |x| = 1; empty: a map to the plane
+  Eigen::VectorXd angle_distortion;  ///< on the sphere, per face its largest change of an angle,
+                                     ///< chordal [rad]
+  Eigen::VectorXd quasi_conformal;   ///< likewise, of its flat triangle to the chordal one; 0 where
+                                     ///< that has no area
 
-/// Map to a rectangle [0, m] x [0, 1] with the four corners given, the first at 0, the second at m;
-/// m, the conformal modulus of the surface with these corners, is certificate value
-/// conformal_modulus. Without corners: those of MapToPolygon.
-Status MapToRectangle(const Surface& surface, const DomainOptions& domain,
-                      const ParameterizeOptions& options, const SolveControl& control,
-                      Parameterization* result);
+  bool IsOnSphere() const { return !position.empty(); }
+};
 
-/// Map to a polygon of equal angles, the first side from (0, 0) to (1, 0). Corners, where none are
-/// given, are what a map to the unit disk brings nearest to the corners of a regular polygon of
-/// `sides` sides, so that the sides come out nearly equal (certificate: shortest_side,
-/// longest_side); a boundary vertex with one triangle must be a corner and is taken first.
-/// Certificate: corner_vertex_0, ... as the input file numbers them.
-Status MapToPolygon(const Surface& surface, const DomainOptions& domain,
-                    const ParameterizeOptions& options, const SolveControl& control,
-                    Parameterization* result);
+/// A shape that surfaces are mapped to: an entry of the registry (registry.h).
+struct Domain {
+  std::string help;  ///< one line
+  /// What it reads of those members of a request that not every domain reads: of MapRequest
+  /// ("targets", "cut"), DomainOptions and ParameterizeOptions by their names; "metric": it needs no
+  /// points, lengths will do (Parameterize).
+  std::vector<std::string> reads;
+  /// Members of SurfaceMap that it fills in and not every domain does: "uv", "position", "flat".
+  std::vector<std::string> gives;
+  /// Fills in the map as far as it comes, but for what every map has: MapSurface does that.
+  Status (*map)(const Surface&, const MapRequest&, const SolveControl&, SurfaceMap*);
+  ParameterizeOptions recommended = {};  ///< with which its maps distort least
 
-/// Map with a boundary that follows given angles: boundary vertices that `targets` leaves free
-/// become straight (pi). Exterior angles pi - Theta_v must add up to 2 pi on a disk.
-Status MapToExteriorAngles(const Surface& surface, const ConeTargets& targets,
-                           const ParameterizeOptions& options, const SolveControl& control,
-                           Parameterization* result);
+  bool Reads(const std::string& option) const;
+  bool Gives(const std::string& member) const;
+};
+
+/// Maps a surface onto a domain: the library's one way from a surface to its map. Errors:
+/// kInvalidInput (a domain, option, vertex or surface that do not fit each other), kInfeasible (the
+/// certificate holds the proof), kUnrepresentable, kNotConverged, kCancelled; `failed`, unless null,
+/// then receives the certificate, filled as far as the stages came.
+StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
+                                const SolveControl& control = {}, Certificate* failed = nullptr);
 
 }  // namespace cirque

@@ -15,8 +15,7 @@
 namespace cirque {
 namespace {
 
-constexpr int kMaxRounds = 4;  ///< of locking the edges of flipped triangles
-constexpr int kMaxPoles = 3;   ///< that are tried where none is given
+constexpr int kMaxPoles = 3;  ///< that are tried where none is given
 
 /// Lengths of the edges along a chain of boundary vertices.
 std::vector<double> ChainLengths(const Triangulation& t, const EdgeLengths& lengths,
@@ -82,25 +81,35 @@ class ChartSolve {
   }
 
   Status SolveWithLocks(bool* clean) {
-    std::vector<bool> locked(chart_.disk.rest.triangulation.num_edges(), false);
-    for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<bool> none(chart_.disk.rest.triangulation.num_edges(), false);
+    const auto solve = [&](const std::vector<bool>& locked) -> StatusOr<std::vector<Index>> {
       if (Status s = Solve(options_, locked); !s.ok()) return s;
-      const std::vector<Index> flipped = flips_(chart_);
+      std::vector<Index> flipped = flips_(chart_);
       *clean = flipped.empty();
-      if (*clean || options_.triangulation == "input" || !chart_.increasing) return Status();
-      if (!LockFlipped(flipped, &locked)) break;
-    }
+      const bool locking_helps = options_.triangulation != "input" && chart_.increasing;
+      return locking_helps ? std::move(flipped) : std::vector<Index>();
+    };
+    const auto flipped = SolveLockingFlipped(
+        none, solve, [this](const std::vector<Index>& faces, std::vector<bool>* edges) {
+          return LockEdgesOf(faces, edges);
+        });
+    if (!flipped.ok()) return flipped.status();
+    return flipped->empty() ? Status() : SolveOnInput(clean);
+  }
+
+  /// The last resort; the chart stays what it was where that is no better.
+  Status SolveOnInput(bool* clean) {
     ParameterizeOptions raw = options_;
     raw.triangulation = "input";
     HalfPlaneChart before = chart_;
-    const Status status = Solve(raw, locked);
+    const Status status = Solve(raw, {});
     if (status.ok()) *clean = flips_(chart_).empty();
     if (!*clean) chart_ = std::move(before);
     return status.code() == StatusCode::kCancelled ? status : Status();
   }
 
   /// False when there is no edge left to lock.
-  bool LockFlipped(const std::vector<Index>& flipped, std::vector<bool>* locked) const {
+  bool LockEdgesOf(const std::vector<Index>& flipped, std::vector<bool>* locked) const {
     const SubTriangulation& rest = chart_.disk.rest;
     bool any = false;
     for (const Index f : flipped) {

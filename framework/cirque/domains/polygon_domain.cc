@@ -1,4 +1,5 @@
-// Maps of topological disks to polygons with given angles (domain.h says how).
+#include "cirque/domains/polygon_domain.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-#include "cirque/domains/domain.h"
+#include "cirque/core/timer.h"
+#include "cirque/domains/disk_domain.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
@@ -76,13 +78,13 @@ std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& 
   return corners;
 }
 
-StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const DomainOptions& domain,
-                                           const ParameterizeOptions& options,
+StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequest& request,
                                            const SolveControl& control, Certificate* certificate) {
   const Triangulation& t = surface.triangulation;
   const std::vector<Index> loop = BoundaryVerticesInOrder(t);
-  std::vector<Index> corners = domain.corners;
-  const auto count = corners.empty() ? static_cast<std::size_t>(domain.sides) : corners.size();
+  std::vector<Index> corners = request.shape.corners;
+  const int sides = request.shape.sides;
+  const auto count = corners.empty() ? static_cast<std::size_t>(sides) : corners.size();
   if (count < 3 || count > loop.size()) {
     return Status::InvalidInput(
         fmt::format("a polygon of {} corners; give 3 or more, at most the {} vertices of the "
@@ -90,12 +92,15 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const DomainO
                     count, loop.size()));
   }
   if (corners.empty()) {
-    Parameterization disk;
-    const Status status = MapToDisk(surface, {}, options, control, &disk);
-    certificate->seconds["corners"] = disk.certificate.seconds["total"];
+    const Timer timer;
+    MapRequest for_disk;
+    for_disk.options = request.options;
+    SurfaceMap disk;
+    const Status status = MapToDisk(surface, for_disk, control, &disk);
+    certificate->seconds["corners"] = timer.Seconds();
     certificate->infeasibility = std::move(disk.certificate.infeasibility);
     if (!status.ok()) return status.In("choosing corners by a map to the disk");
-    corners = NearlyRegularCorners(t, disk.uv, domain.sides);
+    corners = NearlyRegularCorners(t, disk.uv, sides);
   }
   if (Status s = SortCorners(loop, &corners); !s.ok()) return s;
   return corners;
@@ -163,83 +168,98 @@ void Certify(const Surface& surface, const std::vector<Index>& corners,
   certificate->values["longest_side"] = longest;
 }
 
-Status Refuse(const Status& status, Parameterization* result) {
-  result->certificate.outcome = ToString(status.code());
-  result->certificate.message = status.message();
+/// The map for these corners; the certificate keeps what it holds of their choice.
+Status MapWithCorners(const Surface& surface, const MapRequest& request,
+                      const std::vector<Index>& corners, const SolveControl& control,
+                      SurfaceMap* map) {
+  auto choice_seconds = std::move(map->certificate.seconds);
+  const ParameterizeRequest straight = {
+      request.options, PolygonTargets(surface.triangulation, corners), {}};
+  Status status = Parameterize(surface, straight, control, map);
+  map->certificate.seconds.merge(choice_seconds);
   return status;
 }
 
-Status Map(const Surface& surface, const DomainOptions& domain, const ParameterizeOptions& options,
-           const SolveControl& control, bool rectangle, Parameterization* result) {
+/// Puts the vertices where they are wanted; refuses a map that comes out flipped.
+Status Deliver(const Surface& surface, const std::vector<Index>& corners,
+               const std::vector<Complex>& place, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
-  *result = Parameterization();
-  if (Status s = CheckIsDisk(t); !s.ok()) return Refuse(s, result);
-  Certificate choice;
-  const auto corners = ChooseCorners(surface, domain, options, control, &choice);
-  if (!corners.ok()) {
-    result->certificate = std::move(choice);
-    return Refuse(corners.status(), result);
-  }
-  const Status status =
-      Parameterize(surface, PolygonTargets(t, *corners), nullptr, options, control, result);
-  result->certificate.seconds.merge(choice.seconds);
-  if (!status.ok()) return status;
-  std::vector<Complex> place = Places(t, result->uv);
-  Align(*corners, &place);
-  if (rectangle) {
-    const auto [modulus, mismatch] = SnapToRectangle(t, *corners, &place);
-    result->certificate.values["conformal_modulus"] = modulus;
-    result->certificate.values["opposite_side_mismatch"] = mismatch;
-  }
-  Certify(surface, *corners, place, &result->certificate);
+  Certify(surface, corners, place, &map->certificate);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
-    result->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
+    map->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
   }
-  const std::vector<Index> flipped = FlippedFaces(t, result->uv);
-  result->certificate.values["flipped_triangles"] = static_cast<double>(flipped.size());
-  if (flipped.empty()) return status;
-  result->uv.value.clear();
-  return Refuse(
-      Status(StatusCode::kUnrepresentable,
-             fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
-                         IdList(flipped, 5))),
-      result);
+  const std::vector<Index> flipped = FlippedFaces(t, map->uv);
+  map->certificate.values["flipped_triangles"] = static_cast<double>(flipped.size());
+  if (flipped.empty()) return Status();
+  return Status(StatusCode::kUnrepresentable,
+                fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
+                            IdList(flipped, 5)));
+}
+
+/// Which polygons have sides to be put onto exactly.
+enum class Shape { kPolygon, kRectangle };
+
+Status Map(const Surface& surface, const MapRequest& request, const SolveControl& control,
+           Shape shape, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  if (Status s = CheckIsDisk(t); !s.ok()) return s;
+  const auto corners = ChooseCorners(surface, request, control, &map->certificate);
+  if (!corners.ok()) return corners.status();
+  if (Status s = MapWithCorners(surface, request, *corners, control, map); !s.ok()) return s;
+  std::vector<Complex> place = Places(t, map->uv);
+  Align(*corners, &place);
+  if (shape == Shape::kRectangle) {
+    const auto [modulus, mismatch] = SnapToRectangle(t, *corners, &place);
+    map->certificate.values["conformal_modulus"] = modulus;
+    map->certificate.values["opposite_side_mismatch"] = mismatch;
+  }
+  return Deliver(surface, *corners, place, map);
+}
+
+/// The request with so many corners, or what is wrong with those it names.
+StatusOr<MapRequest> WithSides(const MapRequest& request, const char* what, int sides) {
+  const auto& corners = request.shape.corners;
+  if (!corners.empty() && corners.size() != static_cast<std::size_t>(sides)) {
+    return Status::InvalidInput(
+        fmt::format("a {} has {} corners, not {}", what, sides, corners.size()));
+  }
+  MapRequest with_sides = request;
+  with_sides.shape.sides = sides;
+  return with_sides;
+}
+
+/// Boundary vertices that the targets leave free become straight.
+Status MapToExteriorAngles(const Surface& surface, const MapRequest& request,
+                           const SolveControl& control, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  const ConeTargets free = FreeBoundaryTargets(t);
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  ConeTargets straight = *request.targets;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const bool is_free = straight.lower[v] == free.lower[v] && straight.upper[v] == free.upper[v];
+    if (boundary[v] && is_free) straight.lower[v] = straight.upper[v] = kPi;
+  }
+  return Parameterize(surface, {request.options, std::move(straight), {}}, control, map);
 }
 
 }  // namespace
 
-Status MapToRectangle(const Surface& surface, const DomainOptions& domain,
-                      const ParameterizeOptions& options, const SolveControl& control,
-                      Parameterization* result) {
-  DomainOptions four = domain;
-  four.sides = 4;
-  if (!domain.corners.empty() && domain.corners.size() != 4) {
-    *result = Parameterization();
-    return Refuse(Status::InvalidInput(
-                      fmt::format("a rectangle has 4 corners, not {}", domain.corners.size())),
-                  result);
-  }
-  return Map(surface, four, options, control, true, result);
+Status MapToRectangle(const Surface& surface, const MapRequest& request,
+                      const SolveControl& control, SurfaceMap* map) {
+  const StatusOr<MapRequest> four = WithSides(request, "rectangle", 4);
+  return four.ok() ? Map(surface, *four, control, Shape::kRectangle, map) : four.status();
 }
 
-Status MapToPolygon(const Surface& surface, const DomainOptions& domain,
-                    const ParameterizeOptions& options, const SolveControl& control,
-                    Parameterization* result) {
-  return Map(surface, domain, options, control, false, result);
+Status MapToPolygon(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                    SurfaceMap* map) {
+  if (request.targets) return MapToExteriorAngles(surface, request, control, map);
+  return Map(surface, request, control, Shape::kPolygon, map);
 }
 
-Status MapToExteriorAngles(const Surface& surface, const ConeTargets& targets,
-                           const ParameterizeOptions& options, const SolveControl& control,
-                           Parameterization* result) {
-  const Triangulation& t = surface.triangulation;
-  const ConeTargets free = FreeBoundaryTargets(t);
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  ConeTargets straight = targets;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    const bool is_free = targets.lower[v] == free.lower[v] && targets.upper[v] == free.upper[v];
-    if (boundary[v] && is_free) straight.lower[v] = straight.upper[v] = kPi;
-  }
-  return Parameterize(surface, straight, nullptr, options, control, result);
+Status MapToTriangle(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                     SurfaceMap* map) {
+  const StatusOr<MapRequest> three = WithSides(request, "triangle", 3);
+  return three.ok() ? Map(surface, *three, control, Shape::kPolygon, map) : three.status();
 }
 
 }  // namespace cirque

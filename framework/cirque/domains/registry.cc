@@ -1,66 +1,101 @@
 #include "cirque/domains/registry.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/core/timer.h"
+#include "cirque/domains/disk_domain.h"
+#include "cirque/domains/plane_domain.h"
+#include "cirque/domains/polygon_domain.h"
+#include "cirque/domains/sphere_domain.h"
+#include "cirque/pipeline/map_measures.h"
 
 namespace cirque {
 namespace {
 
-Status MapToTriangle(const Surface& surface, const DomainOptions& domain,
-                     const ParameterizeOptions& options, const SolveControl& control,
-                     Parameterization* result) {
-  if (!domain.corners.empty() && domain.corners.size() != 3) {
-    return Status::InvalidInput(
-        fmt::format("a triangle has 3 corners, not {}", domain.corners.size()));
-  }
-  DomainOptions three = domain;
-  three.sides = 3;
-  return MapToPolygon(surface, three, options, control, result);
+bool Contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool Reads(const Domain& domain, const std::string& flag) {
-  return std::find(domain.reads.begin(), domain.reads.end(), flag) != domain.reads.end();
+/// What would else be ignored, or read beyond the surface's vertices.
+Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_vertices) {
+  for (const auto& [option, given] : {std::pair("targets", request.targets.has_value()),
+                                      std::pair("cut", request.cut.has_value())}) {
+    if (!given || domain.Reads(option)) continue;
+    return Status::InvalidInput(fmt::format("the domain {} takes no {}", request.domain, option));
+  }
+  std::vector<Index> vertices = request.shape.corners;
+  for (const Index v : {request.shape.centre, request.shape.angle_zero, request.shape.pole}) {
+    if (v != kNone) vertices.push_back(v);
+  }
+  for (const Index v : vertices) {
+    if (v >= 0 && v < num_vertices) continue;
+    return Status::InvalidInput(fmt::format("{} is no vertex: there are {}", v, num_vertices));
+  }
+  return Status();
 }
 
 }  // namespace
 
-const std::vector<Domain>& Domains() {
-  static const std::vector<Domain> kTable = {
-      {"plane",
-       {"iv", "angle_sums", "ie", "cut_paths", "oc", "flip_back", "ic", "no", "layout", "cones",
-        "cone_budget", "cone_angles", "refine_cones", "refine_map", "seams", "cut_cost",
-        "edge_costs", "measures", "fill_holes"},
-       nullptr},
-      {"sphere",
-       {"pole", "normalization", "principal_axes", "inversion", "latlong", "layout"},
-       nullptr},
-      {"disk",
-       {"centre", "angle_zero", "pole", "normalization", "measures", "fill_holes"},
-       MapToDisk},
-      {"half_plane", {"pole", "measures", "fill_holes"}, MapToHalfPlane},
-      {"rectangle", {"corners", "measures", "fill_holes"}, MapToRectangle},
-      {"polygon", {"corners", "sides", "iv", "angle_sums", "measures", "fill_holes"}, MapToPolygon},
-      {"triangle", {"corners", "measures", "fill_holes"}, MapToTriangle}};
+const Registry<Domain>& Domains() {
+  static const Registry<Domain> kTable(
+      "domain", {{"plane",
+                  {"the plane, opened along a cut through cones where it must be",
+                   {"targets", "cut", "metric", "layout", "cones", "cone_budget", "cone_angles",
+                    "refine_cones", "refine_map", "seams", "cut_cost", "edge_costs"},
+                   {"uv", "flat"},
+                   MapToPlane}},
+                 {"sphere",
+                  {"the unit sphere, for closed surfaces of genus 0",
+                   {"pole", "normalization", "principal_axes", "inversion", "layout"},
+                   {"position"},
+                   MapToSphere,
+                   SphereParameterizeOptions()}},
+                 {"disk",
+                  {"the unit disk, for topological disks like all that follow",
+                   {"centre", "angle_zero", "pole", "normalization"},
+                   {"uv"},
+                   MapToDisk}},
+                 {"half_plane",
+                  {"the upper half-plane, one boundary vertex belonging at infinity",
+                   {"pole"},
+                   {"uv"},
+                   MapToHalfPlane}},
+                 {"rectangle", {"a rectangle of height 1", {"corners"}, {"uv"}, MapToRectangle}},
+                 {"polygon",
+                  {"a polygon of equal or given angles",
+                   {"corners", "sides", "targets"},
+                   {"uv"},
+                   MapToPolygon}},
+                 {"triangle", {"an equilateral triangle", {"corners"}, {"uv"}, MapToTriangle}}});
   return kTable;
 }
 
-std::vector<std::string> DomainNames() {
-  std::vector<std::string> names;
-  for (const Domain& domain : Domains()) names.push_back(domain.name);
-  return names;
+bool Domain::Reads(const std::string& option) const { return Contains(reads, option); }
+
+bool Domain::Gives(const std::string& member) const { return Contains(gives, member); }
+
+bool IsReadBySomeDomain(const std::string& option) {
+  const std::vector<std::string> names = Domains().Names();
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return Domains().Find(name)->Reads(option); });
 }
 
-const Domain* FindDomain(const std::string& name) {
-  const auto domain = std::find_if(Domains().begin(), Domains().end(),
-                                   [&](const Domain& d) { return d.name == name; });
-  return domain == Domains().end() ? nullptr : &*domain;
-}
-
-bool IsForeign(const Domain& domain, const std::string& flag) {
-  return !Reads(domain, flag) &&
-         std::any_of(Domains().begin(), Domains().end(),
-                     [&](const Domain& other) { return Reads(other, flag); });
+StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
+                                const SolveControl& control, Certificate* failed) {
+  const Timer timer;
+  SurfaceMap map;
+  const StatusOr<Domain> domain = Domains().Find(request.domain);
+  Status status = domain.status();
+  if (status.ok()) status = CheckRequest(*domain, request, surface.triangulation.num_vertices);
+  if (status.ok()) status = domain->map(surface, request, control, &map);
+  status = Conclude(status, timer, &map.certificate);
+  if (status.ok()) return map;
+  if (failed) *failed = std::move(map.certificate);
+  return status;
 }
 
 }  // namespace cirque

@@ -15,7 +15,7 @@ namespace cirque {
 ///   surface_area           the same, vertices weighted by a third of their triangles' area
 ///   image_area             the same with the area of the triangles on the sphere
 ///   least_area_distortion  least mean square of the log area ratio
-///   (solver/log_scale_normalization.h)
+///   (layout/log_scale_normalization.h)
 const std::vector<std::string>& SphereNormalizations();
 
 /// The vertices of a surface in the plane, one of them at infinity.
@@ -44,7 +44,7 @@ struct NormalizedChart {
 StatusOr<NormalizedChart> NormalizeChart(const Surface& surface, const PlaneWithPole& plane,
                                          const std::string& normalization);
 
-/// The rotation to the principal axes described at SphereOptions.
+/// The rotation to the principal axes described at DomainOptions.
 Eigen::Matrix3d PrincipalAxes(const std::vector<Eigen::Vector3d>& points,
                               const std::vector<double>& weights);
 

@@ -22,7 +22,6 @@
 namespace cirque {
 namespace {
 
-constexpr int kMaxRounds = 6;            ///< of locking and solving again
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out mirrored
 constexpr char kRetry[] = "interior_point";
 
@@ -75,14 +74,15 @@ class Flattening {
           UnknownName("triangulation", options_.triangulation, {"delaunay", "input"}));
     }
     locked.resize(input_.num_edges(), false);
-    for (int round = 1; round <= kMaxRounds; ++round) {
-      certificate_.values["delaunay_rounds"] = round;
-      const Status status = SolveOnDelaunay(locked);
-      if (status.ok() && result_.on_input.mirrored.empty()) return status;
-      if (!status.ok() && !MayDoBetterOnInput(status)) return status;
-      if (!status.ok()) break;
-      Lock(result_.on_input.mirrored, rounds_solved_++, &locked);
-    }
+    certificate_.values["delaunay_rounds"] = 0;
+    const auto flipped = SolveLockingFlipped(
+        std::move(locked), [&](const std::vector<bool>& edges) { return SolveRound(edges); },
+        [&](const std::vector<Index>& faces, std::vector<bool>* edges) {
+          Lock(faces, rounds_solved_++, edges);
+          return true;
+        });
+    if (flipped.ok() && flipped->empty()) return Status();
+    if (!flipped.ok() && !MayDoBetterOnInput(flipped.status())) return flipped.status();
     return SolveOnInput();
   }
 
@@ -103,11 +103,13 @@ class Flattening {
     return status.code() == StatusCode::kInfeasible || status.code() == StatusCode::kNotConverged;
   }
 
-  Status SolveOnDelaunay(const std::vector<bool>& locked) {
+  StatusOr<std::vector<Index>> SolveRound(const std::vector<bool>& locked) {
+    ++certificate_.values["delaunay_rounds"];
     const Timer timer;
     result_.intrinsic = MakeIntrinsicDelaunay(input_, lengths_, {&targets_, locked});
     certificate_.seconds["triangulation"] += timer.Seconds();
-    return Solve();
+    if (Status s = Solve(); !s.ok()) return s;
+    return result_.on_input.mirrored;
   }
 
   Status SolveOnInput() {
@@ -278,6 +280,17 @@ class Flattening {
 };
 
 }  // namespace
+
+StatusOr<std::vector<Index>> SolveLockingFlipped(std::vector<bool> locked,
+                                                 const SolveWithLocked& solve,
+                                                 const LockFlipped& lock) {
+  StatusOr<std::vector<Index>> flipped = solve(locked);
+  for (int round = 1; round < kMostLockingRounds; ++round) {
+    if (!flipped.ok() || flipped->empty() || !lock(*flipped, &locked)) break;
+    flipped = solve(locked);
+  }
+  return flipped;
+}
 
 Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
                const ParameterizeOptions& options, const SolveControl& control,

@@ -224,6 +224,16 @@ Status RunWithCones(const Job& job, Parameterization* result) {
   return status.ok() ? Run(job, result) : status;
 }
 
+Status RunRequest(const Triangulation& t, const EdgeLengths& lengths, const FileVertices& file,
+                  const ParameterizeRequest& request, const SolveControl& control,
+                  Parameterization* result) {
+  *result = Parameterization();
+  const Job job{t, lengths, file, request.cut ? &*request.cut : nullptr, request.options, control};
+  if (!request.targets) return RunWithCones(job, result);
+  result->targets = *request.targets;
+  return RunWithTargets(job, result);
+}
+
 /// The angle sums of a metric, cones being what differs from flat by more than rounding.
 ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) {
   ConeTargets targets = FreeBoundaryTargets(t);
@@ -248,50 +258,21 @@ StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
   return DefaultTargets(surface.triangulation, MeasureEdgeLengths(surface));
 }
 
-Status Parameterize(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
-                    const Cut* cut, const ParameterizeOptions& options, const SolveControl& control,
+Status Parameterize(const Triangulation& t, const EdgeLengths& lengths,
+                    const ParameterizeRequest& request, const SolveControl& control,
                     Parameterization* result) {
-  *result = Parameterization();
-  result->targets = targets;
   const Timer timer;
   const FileVertices file = VerticesInOrder(t.num_vertices);
-  return Conclude(RunWithTargets({t, lengths, file, cut, options, control}, result), timer,
+  return Conclude(RunRequest(t, lengths, file, request, control, result), timer,
                   &result->certificate);
 }
 
-Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
-                    const ParameterizeOptions& options, const SolveControl& control,
-                    Parameterization* result) {
-  *result = Parameterization();
-  result->targets = targets;
+Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
+                    const SolveControl& control, Parameterization* result) {
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const FileVertices file = VerticesInFile(surface);
-  Status status =
-      RunWithTargets({surface.triangulation, lengths, file, cut, options, control}, result);
-  NumberAsInFile(surface, &result->certificate.infeasibility);
-  return Conclude(status, timer, &result->certificate);
-}
-
-Status ParameterizeWithCones(const Triangulation& t, const EdgeLengths& lengths, const Cut* cut,
-                             const ParameterizeOptions& options, const SolveControl& control,
-                             Parameterization* result) {
-  *result = Parameterization();
-  const Timer timer;
-  const FileVertices file = VerticesInOrder(t.num_vertices);
-  return Conclude(RunWithCones({t, lengths, file, cut, options, control}, result), timer,
-                  &result->certificate);
-}
-
-Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
-                             const ParameterizeOptions& options, const SolveControl& control,
-                             Parameterization* result) {
-  *result = Parameterization();
-  const Timer timer;
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const FileVertices file = VerticesInFile(surface);
-  Status status =
-      RunWithCones({surface.triangulation, lengths, file, cut, options, control}, result);
+  Status status = RunRequest(surface.triangulation, lengths, file, request, control, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return Conclude(status, timer, &result->certificate);
 }

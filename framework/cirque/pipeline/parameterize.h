@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
@@ -21,31 +23,30 @@ struct Parameterization {
   Certificate certificate;  ///< filled as far as the stages came, whatever the outcome
 };
 
+/// What to parameterize for.
+struct ParameterizeRequest {
+  ParameterizeOptions options = {};
+  /// The interval of every vertex's angle sum. Nothing: the cones that the options name
+  /// (PlaceCones); where they turn out infeasible they are moved and widened where the proof points
+  /// (RepairCones) before there is no map.
+  std::optional<ConeTargets> targets = {};
+  std::optional<Cut> cut = {};  ///< nothing: a short one through the cones is found
+};
+
 /// DefaultTargets (place_cones.h) of a surface in space.
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
-/// Maps a surface of any topology whose angle sums shall lie in `targets` to the plane: intrinsic
-/// Delaunay flips, coherent angles, log radii, a cut through the cones (`cut` null: a short one is
-/// found), layout. The status is kInfeasible (the certificate holds the proof), kUnrepresentable or
-/// kNotConverged when there is no map, kInvalidInput for targets or a cut that fit no map; `result`
-/// then carries no uv.
-Status Parameterize(const Surface& surface, const ConeTargets& targets, const Cut* cut,
-                    const ParameterizeOptions& options, const SolveControl& control,
-                    Parameterization* result);
+/// Maps a surface of any topology to the plane: intrinsic Delaunay flips, coherent angles, log
+/// radii, a cut through the cones, layout. The status is kInfeasible (the certificate holds the
+/// proof), kUnrepresentable or kNotConverged when there is no map, kInvalidInput for targets or a
+/// cut that fit no map; `result` then carries no uv.
+Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
+                    const SolveControl& control, Parameterization* result);
 
 /// The same for an intrinsic metric without points.
 Status Parameterize(const Triangulation& triangulation, const EdgeLengths& lengths,
-                    const ConeTargets& targets, const Cut* cut, const ParameterizeOptions& options,
-                    const SolveControl& control, Parameterization* result);
-
-/// The same with the cones that the options name (PlaceCones). Cones that turn out infeasible are
-/// moved and widened where the proof points (RepairCones) before there is no map.
-Status ParameterizeWithCones(const Surface& surface, const Cut* cut,
-                             const ParameterizeOptions& options, const SolveControl& control,
-                             Parameterization* result);
-Status ParameterizeWithCones(const Triangulation& triangulation, const EdgeLengths& lengths,
-                             const Cut* cut, const ParameterizeOptions& options,
-                             const SolveControl& control, Parameterization* result);
+                    const ParameterizeRequest& request, const SolveControl& control,
+                    Parameterization* result);
 
 /// Cuts and lays out a metric that is flat but for cones already; nothing is solved. Interior
 /// vertices whose angles do not add up to 2 pi (within 1e-6 rad) are its cones.

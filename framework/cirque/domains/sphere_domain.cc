@@ -1,4 +1,4 @@
-#include "cirque/domains/sphere.h"
+#include "cirque/domains/sphere_domain.h"
 
 #include <algorithm>
 #include <tuple>
@@ -9,7 +9,7 @@
 #include "cirque/core/text.h"
 #include "cirque/core/timer.h"
 #include "cirque/domains/pole.h"
-#include "cirque/domains/sphere_certificate.h"
+#include "cirque/domains/sphere_measures.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/poisson_layout.h"
@@ -19,11 +19,11 @@
 namespace cirque {
 namespace {
 
-constexpr int kMaxRounds = 6;  ///< of locking and solving again
+constexpr char kDefaultNormalization[] = "surface_area";
 constexpr Index kMaxPoles = 4;
 constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles goes with epsilon
 
-Status CheckNames(const SphereOptions& options, const ParameterizeOptions& in_plane) {
+Status CheckNames(const DomainOptions& options, const ParameterizeOptions& in_plane) {
   const std::tuple<const char*, std::string, std::vector<std::string>> choices[] = {
       {"normalization", options.normalization, SphereNormalizations()},
       {"triangulation", in_plane.triangulation, {"delaunay", "input"}},
@@ -35,7 +35,7 @@ Status CheckNames(const SphereOptions& options, const ParameterizeOptions& in_pl
   return Status();
 }
 
-Status CheckSurface(const Surface& surface, const SphereOptions& options) {
+Status CheckSurface(const Surface& surface) {
   const Triangulation& t = surface.triangulation;
   const std::size_t loops = BoundaryLoops(t).size();
   if (loops > 0) {
@@ -47,10 +47,6 @@ Status CheckSurface(const Surface& surface, const SphereOptions& options) {
   if (genus != 0) {
     return Status::InvalidInput(fmt::format(
         "a map to the sphere needs a surface of genus 0, but this has genus {}", genus));
-  }
-  if (options.pole != kNone && (options.pole < 0 || options.pole >= t.num_vertices)) {
-    return Status::InvalidInput(
-        fmt::format("the pole {} is no vertex: there are {}", options.pole, t.num_vertices));
   }
   return Status();
 }
@@ -84,9 +80,9 @@ auto Timed(const char* stage, Certificate* certificate, const Step& step) {
 /// One surface on its way to the sphere.
 class SphereMapping {
  public:
-  SphereMapping(const Surface& surface, const SphereOptions& options,
+  SphereMapping(const Surface& surface, const DomainOptions& options,
                 const ParameterizeOptions& parameterize_options, const SolveControl& control,
-                SphereMap* map)
+                SurfaceMap* map)
       : surface_(surface),
         t_(surface.triangulation),
         lengths_(MeasureEdgeLengths(surface)),
@@ -126,11 +122,12 @@ class SphereMapping {
   }
 
   Status TryPole(Index pole, const IntrinsicTriangulation& delaunay) {
-    map_.pole = pole;
+    pole_ = pole;
     Put("pole", surface_.soup_vertex[pole]);
     if (flips_) {
-      const Status status = TryLockingFlipped(delaunay);
-      if (status.ok() && flipped_.empty()) return status;
+      const auto flipped = TryLockingFlipped(delaunay);
+      if (flipped.ok() && flipped->empty()) return Status();
+      const Status& status = flipped.status();
       if (status.code() == StatusCode::kCancelled || !normalized_) return status;
     }
     const Status status = TryOn({t_, lengths_, {}, {}});
@@ -138,25 +135,30 @@ class SphereMapping {
     return Unrepresentable();
   }
 
-  /// The lazily constrained loop; ends with whatever its last round came to.
-  Status TryLockingFlipped(const IntrinsicTriangulation& delaunay) {
-    std::vector<bool> locked(t_.num_edges(), false);
-    Put("delaunay_rounds", 1);
-    Status status = TryOn(delaunay);
-    for (int round = 1; round < kMaxRounds && status.ok() && !flipped_.empty(); ++round) {
-      for (const Index f : flipped_) {
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) locked[t_.edge[h]] = true;
-      }
-      const auto again =
-          Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); });
-      status = TryOn(again);
-      Put("delaunay_rounds", round + 1);
-    }
-    return status;
+  /// The flipped faces of the last round, or its error.
+  StatusOr<std::vector<Index>> TryLockingFlipped(const IntrinsicTriangulation& delaunay) {
+    int rounds = 0;
+    const auto solve = [&](const std::vector<bool>& locked) -> StatusOr<std::vector<Index>> {
+      Put("delaunay_rounds", ++rounds);
+      const Status status =
+          rounds == 1
+              ? TryOn(delaunay)
+              : TryOn(Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); }));
+      return status.ok() ? StatusOr<std::vector<Index>>(flipped_) : status;
+    };
+    return SolveLockingFlipped(std::vector<bool>(t_.num_edges(), false), solve,
+                               [&](const std::vector<Index>& faces, std::vector<bool>* locked) {
+                                 for (const Index f : faces) {
+                                   for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+                                     (*locked)[t_.edge[h]] = true;
+                                   }
+                                 }
+                                 return true;
+                               });
   }
 
   Status TryOn(const IntrinsicTriangulation& intrinsic) {
-    const StatusOr<PuncturedSurface> punctured = Puncture(intrinsic.triangulation, map_.pole);
+    const StatusOr<PuncturedSurface> punctured = Puncture(intrinsic.triangulation, pole_);
     if (!punctured.ok()) return punctured.status();
     const EdgeLengths lengths = ReferenceLengths(intrinsic, *punctured);
     FlatSurface flat;
@@ -242,11 +244,12 @@ class SphereMapping {
   const Surface& surface_;
   const Triangulation& t_;
   const EdgeLengths lengths_;
-  const SphereOptions& options_;
+  const DomainOptions& options_;
   ParameterizeOptions in_plane_;
   bool flips_ = true;
   const SolveControl& control_;
-  SphereMap& map_;
+  SurfaceMap& map_;
+  Index pole_ = kNone;
   std::vector<Index> flipped_;  ///< of the input's faces on the sphere
   bool normalized_ = true;      ///< false: no other pole or triangulation would help
 };
@@ -259,24 +262,17 @@ ParameterizeOptions SphereParameterizeOptions() {
   return options;
 }
 
-Status MapToSphere(const Surface& surface, const SphereOptions& options,
-                   const ParameterizeOptions& parameterize_options, const SolveControl& control,
-                   SphereMap* map) {
-  *map = SphereMap();
+Status MapToSphere(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                   SurfaceMap* map) {
+  DomainOptions options = request.shape;
+  if (options.normalization.empty()) options.normalization = kDefaultNormalization;
+  if (Status s = CheckNames(options, request.options); !s.ok()) return s;
+  if (Status s = CheckSurface(surface); !s.ok()) return s;
+  Status status = SphereMapping(surface, options, request.options, control, map).Run();
+  if (!status.ok()) return status;
   const Timer timer;
-  Status status = CheckNames(options, parameterize_options);
-  if (status.ok()) status = CheckSurface(surface, options);
-  if (status.ok()) {
-    status = SphereMapping(surface, options, parameterize_options, control, map).Run();
-  }
-  if (status.ok()) {
-    const Timer measure_timer;
-    MeasureSphereMap(surface, map);
-    map->certificate.seconds["measures"] = measure_timer.Seconds();
-  }
-  map->certificate.seconds["total"] = timer.Seconds();
-  map->certificate.outcome = ToString(status.code());
-  map->certificate.message = status.message();
+  MeasureSphereMap(surface, map);
+  map->certificate.seconds["measures"] = timer.Seconds();
   return status;
 }
 

@@ -1,4 +1,4 @@
-#include "cirque/domains/sphere_certificate.h"
+#include "cirque/domains/sphere_measures.h"
 
 #include <algorithm>
 #include <map>
@@ -39,7 +39,7 @@ void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
   proof->removed_vertex = surface.soup_vertex[punctured.pole];
 }
 
-void MeasureSphereMap(const Surface& surface, SphereMap* map) {
+void MeasureSphereMap(const Surface& surface, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   const EdgeLengths source = MeasureEdgeLengths(surface), image = ChordLengths(t, map->position);
   const CornerUv planar = FacesInPlane(t, image);

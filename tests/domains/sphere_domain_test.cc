@@ -1,4 +1,4 @@
-#include "cirque/domains/sphere.h"
+#include "cirque/domains/sphere_domain.h"
 
 #include <cmath>
 
@@ -10,6 +10,7 @@
 #include "cirque/layout/lorentz_normalization.h"
 #include "cirque/metrics/spherical.h"
 
+#include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -18,12 +19,9 @@ namespace {
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
 
-SphereMap Map(const Surface& surface, const SphereOptions& options = {},
-              const ParameterizeOptions& in_plane = {}) {
-  SphereMap map;
-  const Status status = MapToSphere(surface, options, in_plane, {}, &map);
-  EXPECT_TRUE(status.ok()) << status.message();
-  return map;
+SurfaceMap Map(const Surface& surface, const DomainOptions& shape = {},
+               const ParameterizeOptions& options = {}) {
+  return MustMap(surface, RequestFor("sphere", shape, options));
 }
 
 /// Small margins, so that Delaunay triangles of a sphere are coherent as they are.
@@ -71,30 +69,30 @@ Vector3d OfSpheroid(const Vector3d& x, double c) {
   return {std::sin(polar) * x.x() / radius, std::sin(polar) * x.y() / radius, std::cos(polar)};
 }
 
-TEST(SphereMapTest, RegularPolyhedraStayRegular) {
+TEST(SphereDomain, RegularPolyhedraStayRegular) {
   for (const int faces : {4, 8, 20}) {
     const Surface polyhedron = RegularPolyhedron(faces);
     ASSERT_EQ(polyhedron.triangulation.num_faces(), faces);
     for (const Index pole : {0, 3}) {
-      const SphereMap map = Map(polyhedron, {pole, "uniform", false});
+      const SurfaceMap map = Map(polyhedron, {.pole = pole, .normalization = "uniform"});
       EXPECT_LT(Incongruence(map.position, polyhedron.position), 1e-12) << faces;
       EXPECT_NEAR(map.certificate.values.at("quasi_conformal_max"), 1, 1e-12);
     }
   }
 }
 
-TEST(SphereMapTest, AnInscribedDelaunayMeshIsItsOwnMapWhateverThePole) {
+TEST(SphereDomain, AnInscribedDelaunayMeshIsItsOwnMapWhateverThePole) {
   const Surface sphere = GeneratedSurface("sphere", 800);
   const std::vector<double> equal(sphere.position.size(), 1);
   // Normalised by the same condition, two maps of one circle pattern differ by a rotation.
   const LorentzNormalization centred = MinimizeLorentz(sphere.position, equal);
   for (const Index pole : {kNone, 7, 200}) {
-    const SphereMap map = Map(sphere, {pole, "uniform", false}, Exact());
+    const SurfaceMap map = Map(sphere, {.pole = pole, .normalization = "uniform"}, Exact());
     EXPECT_LT(Incongruence(map.position, centred.points), 1e-7) << pole;
   }
 }
 
-TEST(SphereMapTest, SpheroidsConvergeToTheirConformalMap) {
+TEST(SphereDomain, SpheroidsConvergeToTheirConformalMap) {
   constexpr double kLength = 2;
   std::vector<double> error;
   for (const Index triangles : {500, 8000}) {
@@ -109,10 +107,10 @@ TEST(SphereMapTest, SpheroidsConvergeToTheirConformalMap) {
   EXPECT_LT(error[1], 0.45 * error[0]);
 }
 
-TEST(SphereMapTest, EveryNormalizationKeepsItsPromise) {
+TEST(SphereDomain, EveryNormalizationKeepsItsPromise) {
   const Surface blob = GeneratedSurface("blob", 1000);
   for (const std::string& name : SphereNormalizations()) {
-    const SphereMap map = Map(blob, {kNone, name, false});
+    const SurfaceMap map = Map(blob, {.normalization = name});
     for (const Vector3d& x : map.position) EXPECT_NEAR(x.norm(), 1, 1e-15);
     EXPECT_TRUE(FlippedSphericalFaces(blob.triangulation, map.position).empty()) << name;
     EXPECT_NEAR(SphericalDegree(blob.triangulation, map.position), 1, 1e-12);
@@ -125,10 +123,11 @@ TEST(SphereMapTest, EveryNormalizationKeepsItsPromise) {
   }
 }
 
-TEST(SphereMapTest, TheLeastAreaDistortionIsTheLeast) {
+TEST(SphereDomain, TheLeastAreaDistortionIsTheLeast) {
   const Surface blob = GeneratedSurface("blob", 1000);
   const auto l2 = [&](const char* name) {
-    return Map(blob, {11, name, false}).certificate.values.at("log_area_ratio_l2");
+    return Map(blob, {.pole = 11, .normalization = name})
+        .certificate.values.at("log_area_ratio_l2");
   };
   const double least = l2("least_area_distortion");
   for (const char* name : {"none", "uniform", "surface_area", "image_area"}) {
@@ -136,41 +135,41 @@ TEST(SphereMapTest, TheLeastAreaDistortionIsTheLeast) {
   }
 }
 
-TEST(SphereMapTest, DistortionDependsLittleOnThePole) {
+TEST(SphereDomain, DistortionDependsLittleOnThePole) {
   const Surface blob = GeneratedSurface("blob", 2000);
   const double chosen = Map(blob).certificate.values.at("quasi_conformal_mean");
   EXPECT_LT(chosen, 1.1);
   for (const Index pole : {1, 100, 500}) {
-    const SphereMap map = Map(blob, {pole});
-    EXPECT_EQ(map.pole, pole);
+    const SurfaceMap map = Map(blob, {.pole = pole});
+    EXPECT_EQ(map.certificate.values.at("pole"), pole);
     EXPECT_NEAR(map.certificate.values.at("quasi_conformal_mean"), chosen, 0.002) << pole;
   }
 }
 
-TEST(SphereMapTest, TheCirclesAtThePoleIntersectProperlyToo) {
+TEST(SphereDomain, TheCirclesAtThePoleIntersectProperlyToo) {
   const Surface blob = GeneratedSurface("blob", 600);
   ParameterizeOptions options;
   options.epsilon = 0.02;
-  const SphereMap map = Map(blob, {40}, options);
+  const SurfaceMap map = Map(blob, {.pole = 40}, options);
   EXPECT_GE(map.certificate.values.at("delaunay_margin"), 0.02 - 1e-9);
 }
 
-TEST(SphereMapTest, PrincipalAxesUndoARotationOfTheSurface) {
+TEST(SphereDomain, PrincipalAxesUndoARotationOfTheSurface) {
   const Surface blob = GeneratedSurface("blob", 500);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   const Surface turned = Moved(blob, [&](const Vector3d& x) { return Vector3d(turn * x); });
-  const SphereMap a = Map(blob, {3, "surface_area", true});
-  const SphereMap b = Map(turned, {3, "surface_area", true});
+  const SurfaceMap a = Map(blob, {.pole = 3, .principal_axes = true});
+  const SurfaceMap b = Map(turned, {.pole = 3, .principal_axes = true});
   for (std::size_t v = 0; v < a.position.size(); ++v) {
     EXPECT_LT((a.position[v] - b.position[v]).norm(), 1e-7);
   }
 }
 
-TEST(SphereMapTest, TheInversionAboutThePoleLowersTheDistortion) {
+TEST(SphereDomain, TheInversionAboutThePoleLowersTheDistortion) {
   const Surface blob = GeneratedSurface("blob", 600);
   const auto distortion = [&](bool inversion) {
-    SphereOptions options{40};
+    DomainOptions options{.pole = 40};
     options.inversion = inversion;
     return Map(blob, options).certificate.values.at("quasi_conformal_mean");
   };
@@ -178,7 +177,7 @@ TEST(SphereMapTest, TheInversionAboutThePoleLowersTheDistortion) {
   EXPECT_LT(distortion(true), distortion(false) - 0.005);
 }
 
-TEST(SphereMapTest, TheSpheresOwnOptionsDistortLess) {
+TEST(SphereDomain, TheSpheresOwnOptionsDistortLess) {
   const Surface blob = GeneratedSurface("blob", 600);
   const auto distortion = [&](const ParameterizeOptions& options) {
     return Map(blob, {}, options).certificate.values.at("quasi_conformal_mean");
@@ -186,15 +185,13 @@ TEST(SphereMapTest, TheSpheresOwnOptionsDistortLess) {
   EXPECT_LT(distortion(SphereParameterizeOptions()), distortion({}));
 }
 
-TEST(SphereMapTest, AProofNamesTheVertexThatWasRemoved) {
+TEST(SphereDomain, AProofNamesTheVertexThatWasRemoved) {
   const Surface kleetope = Kleetope(GeneratedSurface("sphere", 100));
   ParameterizeOptions on_input;
   on_input.triangulation = "input";
-  SphereMap map;
-  const Status status = MapToSphere(kleetope, {5}, on_input, {}, &map);
-  EXPECT_EQ(status.code(), StatusCode::kInfeasible);
-  EXPECT_TRUE(map.position.empty());
-  const InfeasibilityCertificate& proof = map.certificate.infeasibility;
+  const InfeasibilityCertificate proof =
+      MustFail(kleetope, RequestFor("sphere", {.pole = 5}, on_input), StatusCode::kInfeasible)
+          .infeasibility;
   EXPECT_EQ(proof.removed_vertex, 5);
   ASSERT_EQ(static_cast<Index>(proof.face_multiplier.size()), kleetope.triangulation.num_faces());
   for (Index h = 0; h < kleetope.triangulation.num_halfedges(); ++h) {
@@ -203,30 +200,25 @@ TEST(SphereMapTest, AProofNamesTheVertexThatWasRemoved) {
     }
   }
   // Flipped to intrinsic Delaunay it has a map.
-  EXPECT_EQ(Map(kleetope, {5}).pole, 5);
+  EXPECT_EQ(Map(kleetope, {.pole = 5}).certificate.values.at("pole"), 5);
 }
 
-TEST(SphereMapTest, RefusesWhatIsNoSphere) {
-  const auto refusal = [](const Surface& surface, const SphereOptions& options) {
-    SphereMap map;
-    const Status status = MapToSphere(surface, options, {}, {}, &map);
-    EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
-    EXPECT_EQ(map.certificate.outcome, "invalid_input");
-    return status.message();
+TEST(SphereDomain, RefusesWhatIsNoSphere) {
+  const auto refusal = [](const Surface& surface, const DomainOptions& shape) {
+    return MustFail(surface, RequestFor("sphere", shape), StatusCode::kInvalidInput).message;
   };
   EXPECT_THAT(refusal(GeneratedSurface("torus", 500), {}), HasSubstr("genus 1"));
   EXPECT_THAT(refusal(GeneratedSurface("annulus", 500), {}), HasSubstr("2 boundary loops"));
   const Surface sphere = GeneratedSurface("sphere", 100);
-  EXPECT_THAT(refusal(sphere, {1000}), HasSubstr("no vertex"));
-  EXPECT_THAT(refusal(sphere, {kNone, "unifrom"}), HasSubstr("did you mean 'uniform'"));
+  EXPECT_THAT(refusal(sphere, {.pole = 1000}), HasSubstr("no vertex"));
+  EXPECT_THAT(refusal(sphere, {.normalization = "unifrom"}), HasSubstr("did you mean 'uniform'"));
 }
 
-TEST(SphereMapTest, ACancelledSolveLeavesNoMap) {
+TEST(SphereDomain, ACancelledSolveLeavesNoMap) {
   const std::atomic<bool> cancelled = true;
-  SphereMap map;
-  const Status status = MapToSphere(GeneratedSurface("blob", 400), {}, {}, {{}, &cancelled}, &map);
-  EXPECT_EQ(status.code(), StatusCode::kCancelled);
-  EXPECT_TRUE(map.position.empty());
+  const auto map =
+      MapSurface(GeneratedSurface("blob", 400), RequestFor("sphere"), {{}, &cancelled});
+  EXPECT_EQ(map.status().code(), StatusCode::kCancelled);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/infeasibility.h"
-#include "cirque/domains/sphere.h"
+#include "cirque/domains/domain.h"
 #include "cirque/mesh/puncture.h"
 #include "cirque/mesh/surface.h"
 
@@ -20,6 +20,6 @@ void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
                     InfeasibilityCertificate* proof);
 
 /// Fills in the map's distortions and their figures in the certificate.
-void MeasureSphereMap(const Surface& surface, SphereMap* map);
+void MeasureSphereMap(const Surface& surface, SurfaceMap* map);
 
 }  // namespace cirque

@@ -1,0 +1,106 @@
+#include "experiments/circle_patterns/outputs.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cirque/core/atomic_file.h"
+#include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
+#include "cirque/intrinsic/flip_back.h"
+#include "cirque/io/con_file.h"
+#include "cirque/io/io.h"
+#include "cirque/layout/latlong.h"
+
+#include "experiments/common/sphere_files.h"
+
+namespace cirque {
+namespace {
+
+std::string Extension(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
+
+Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surface& surface,
+                    const SurfaceMap& map, std::ostream& report) {
+  if (path.empty()) return Status();
+  const LatLong latlong = LatLongUv(surface.triangulation, map.position);
+  if (Status s = WriteMesh(path, AttachUv(soup, surface, latlong.uv)); !s.ok()) return s;
+  report << fmt::format("wrote       {} ({} triangles around the poles)\n", path,
+                        latlong.at_poles.size());
+  return Status();
+}
+
+Status WriteSphere(const CirclePatternsJob& job, const Input& input, const SurfaceMap& map,
+                   std::ostream& report) {
+  const auto& [soup, surface, filled] = input;
+  const Status written = Extension(job.output) == ".ply"
+                             ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
+                             : WriteMesh(job.output, SphereMesh(soup, surface, map.position));
+  return written.ok() ? WriteLatLong(job.latlong, soup, surface, map, report) : written;
+}
+
+Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream& report,
+                  SurfaceMap* map) {
+  const CornerUv uv = input.filled ? WithoutFill(*input.filled, map->uv) : std::move(map->uv);
+  if (Status s = WriteMesh(job.output, AttachUv(input.soup, input.surface, uv)); !s.ok()) return s;
+  if (!job.con.empty()) {
+    if (Status s = WriteFlatMetric(job, report, map); !s.ok()) return s;
+  }
+  const Triangulation& t = input.surface.triangulation;
+  return WriteMeasures(
+      job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
+}
+
+}  // namespace
+
+Status CheckOutputNames(const CirclePatternsJob& job) {
+  const StatusOr<Domain> domain = Domains().Find(job.domain.name);
+  if (!domain.ok()) return domain.status();
+  const bool on_sphere = domain->Gives("position");
+  const std::string extension = Extension(job.output);
+  if (extension != ".obj" && !(on_sphere && extension == ".ply")) {
+    return Status::InvalidInput(
+        job.output + (on_sphere ? ": maps to the sphere are written as .obj or .ply; name it so"
+                                : ": maps are written as .obj; name the output so"));
+  }
+  if (!job.latlong.empty() && Extension(job.latlong) != ".obj") {
+    return Status::InvalidInput(job.latlong + ": texture is written as .obj; name it so");
+  }
+  return Status();
+}
+
+Status WriteOutputs(const CirclePatternsJob& job, const Input& input, std::ostream& report,
+                    SurfaceMap* map) {
+  return map->IsOnSphere() ? WriteSphere(job, input, *map, report)
+                           : WritePlane(job, input, report, map);
+}
+
+Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map) {
+  const FlatSurface& flat = map->flat;
+  Status status;
+  if (job.flip_back) {
+    const FlippedBack back = FlipBack(flat.intrinsic, flat.intrinsic_lengths);
+    status = WriteCon(job.con, back.triangulation, back.lengths);
+    map->certificate.values["flip_back_stuck"] = static_cast<double>(back.stuck.size());
+    report << fmt::format("flip-back   {} of {} flips stay", back.stuck.size(),
+                          flat.intrinsic.flips.size());
+    report << (back.stuck.empty() ? "\n" : ": edges " + IdList(back.stuck) + " (0-based)\n");
+  } else {
+    status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+  }
+  if (status.ok()) report << "wrote       " << job.con << "\n";
+  return status;
+}
+
+Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, const CornerUv& uv,
+                     std::ostream& report) {
+  if (job.measures.empty()) return Status();
+  const MapMeasures measures = MeasureMap(mesh.triangulation, mesh.lengths, uv);
+  const Status written = WriteMeasureFiles(job.measures, mesh.position, mesh.corner, measures);
+  if (!written.ok()) return written;
+  for (const MeasureFile& file : job.measures) report << "measures    " << file.path << "\n";
+  return Status();
+}
+
+}  // namespace cirque

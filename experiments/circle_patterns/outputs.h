@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ostream>
+
+#include "cirque/core/status.h"
+#include "cirque/domains/domain.h"
+#include "cirque/io/polygon_soup.h"
+#include "cirque/mesh/hole_filling.h"
+#include "cirque/mesh/surface.h"
+
+#include "experiments/circle_patterns/run.h"
+
+namespace cirque {
+
+/// Refuses names of outputs whose format cannot hold a map to the job's domain: an .obj holds any, a
+/// .ply those to the sphere.
+Status CheckOutputNames(const CirclePatternsJob& job);
+
+/// What was read, the surface that it is, and the one that was solved on where holes were filled.
+struct Input {
+  const PolygonSoup& soup;
+  const Surface& surface;
+  const FilledSurface* filled;  ///< null: the surface itself
+};
+
+/// Writes the map of the input's own triangles: with UV the mesh as it was with texture, or its points
+/// on the sphere (vertices of no face at (0, 0, 0)), as a .ply beside those that it had, with the
+/// distortion of every face; then the flat metric, measures and texture of latitude and longitude as
+/// far as the job asks for them.
+Status WriteOutputs(const CirclePatternsJob& job, const Input& input, std::ostream& report,
+                    SurfaceMap* map);
+
+/// Writes the job's CON file: the metric where it was solved or, flipped back, as near to the
+/// input's triangulation as it allows; the edges that stay are told and counted in the certificate.
+Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Parameterization* map);
+
+/// What a map to the plane was measured on: the triangles written and their points.
+struct MeasuredMesh {
+  const Triangulation& triangulation;
+  const EdgeLengths& lengths;
+  const std::vector<Eigen::Vector3d>& position;
+  const std::vector<Index>& corner;
+};
+
+/// The map's measures in the files that the job asks for, colours on the mesh given.
+Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, const CornerUv& uv,
+                     std::ostream& report);
+
+}  // namespace cirque

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "cirque/domains/domain.h"
+
+namespace cirque {
+
+/// Map to a rectangle [0, m] x [0, 1] with the four corners given, the first at 0, the second at m;
+/// m, the conformal modulus of the surface with these corners, is certificate value
+/// conformal_modulus. Without corners: those of MapToPolygon.
+Status MapToRectangle(const Surface& surface, const MapRequest& request,
+                      const SolveControl& control, SurfaceMap* map);
+
+/// Map to a polygon of equal angles, the first side from (0, 0) to (1, 0). Corners, where none are
+/// given, are what a map to the unit disk brings nearest to the corners of a regular polygon of
+/// `sides` sides, so that the sides come out nearly equal (certificate: shortest_side,
+/// longest_side); a boundary vertex with one triangle must be a corner and is taken first.
+///
+/// With targets in the request the boundary follows those angles instead: boundary vertices that they
+/// leave free become straight (pi). Exterior angles pi - Theta_v must add up to 2 pi on a disk.
+///
+/// Certificate: corner_vertex_0, ... as the input file numbers them.
+Status MapToPolygon(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                    SurfaceMap* map);
+
+/// MapToPolygon with three corners.
+Status MapToTriangle(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                     SurfaceMap* map);
+
+}  // namespace cirque

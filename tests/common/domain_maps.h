@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cirque/domains/domain.h"
+
+namespace cirque {
+
+inline MapRequest RequestFor(const std::string& domain, const DomainOptions& shape = {},
+                             const ParameterizeOptions& options = {}) {
+  MapRequest request;
+  request.domain = domain;
+  request.shape = shape;
+  request.options = options;
+  return request;
+}
+
+/// The map that there must be.
+inline SurfaceMap MustMap(const Surface& surface, const MapRequest& request) {
+  const StatusOr<SurfaceMap> map = MapSurface(surface, request);
+  EXPECT_TRUE(map.ok()) << map.status().message();
+  return map.ok() ? *map : SurfaceMap();
+}
+
+/// The certificate of a map that must be refused with this code.
+inline Certificate MustFail(const Surface& surface, const MapRequest& request, StatusCode wanted) {
+  Certificate failed;
+  const StatusOr<SurfaceMap> map = MapSurface(surface, request, {}, &failed);
+  EXPECT_EQ(map.status().code(), wanted) << map.status().message();
+  EXPECT_EQ(failed.outcome, ToString(wanted));
+  EXPECT_EQ(failed.message, map.status().message());
+  return failed;
+}
+
+}  // namespace cirque
