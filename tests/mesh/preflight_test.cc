@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 using testing::MakeSoup;
 using ::testing::Pair;
 
-/// What DESIGN and triangulation.h promise of every Triangulation.
+/// What docs/architecture.md and triangulation.h promise of every Triangulation.
 void ExpectInvariants(const Triangulation& t) {
   std::set<Index> used(t.vertex.begin(), t.vertex.end());
   EXPECT_EQ(static_cast<Index>(used.size()), t.num_vertices);

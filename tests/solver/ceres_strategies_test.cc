@@ -47,7 +47,7 @@ TEST_F(CeresStrategiesTest, EveryTrustRegionMethodFindsTheMinimum) {
 }
 
 TEST_F(CeresStrategiesTest, EdgeResidualsMakeGaussNewtonContractFast) {
-  // DESIGN 2.2: by 0.02 to 0.2 a step from zero.
+  // docs/mathematics.md, Radii: by 0.02 to 0.2 a step from zero.
   Eigen::VectorXd x;
   const SolveSummary summary = Minimize("ceres_trust_region", {}, &x);
   ASSERT_TRUE(summary.Converged()) << summary.FullReport();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
@@ -12,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/common/paths.h"
 #include "tests/structure/code_text.h"
 
 namespace cirque {
@@ -20,21 +22,25 @@ namespace {
 constexpr int kMostLines = 500;
 constexpr int kMostLinesOfAFunction = 100;
 
-// The floor of a folder of framework/cirque; folders of one floor are siblings. The page of the
-// floors is framework/docs/architecture.md.
+// The folders of framework/docs/floors.txt, each with its floor; the header of all lies on top.
+std::map<std::string, int> ReadFloors() {
+  std::map<std::string, int> floors;
+  std::ifstream file(ProjectPath("framework/docs/floors.txt"));
+  std::string line;
+  int floor = 0;
+  while (std::getline(file, line)) {
+    if (line.empty() || line.starts_with("#")) continue;
+    std::istringstream folders(line);
+    for (std::string folder; folders >> folder;) floors[folder] = floor;
+    ++floor;
+  }
+  floors["cirque.h"] = floor;
+  return floors;
+}
+
+// The floor of a folder of framework/cirque; folders of one floor are siblings.
 std::optional<int> Floor(const std::string& folder) {
-  // clang-format off
-  static const std::map<std::string, int> kFloors = {
-      {"core", 0},
-      {"math", 1},
-      {"linear", 2}, {"intrinsic", 2}, {"io", 2},
-      {"energy", 3}, {"mesh", 3}, {"generators", 3},
-      {"solver", 4}, {"audit", 4},
-      {"angles", 5}, {"radii", 5}, {"cones", 5}, {"cuts", 5}, {"layout", 5}, {"metrics", 5},
-      {"pipeline", 6},
-      {"domains", 7}, {"verify", 7},
-      {"cirque.h", 8}};
-  // clang-format on
+  static const std::map<std::string, int> kFloors = ReadFloors();
   const auto found = kFloors.find(folder);
   if (found == kFloors.end()) return std::nullopt;
   return found->second;

@@ -41,7 +41,7 @@ class RadiiSystem {
 };
 
 /// Minimises the circle-pattern energy of the coherent angles from the least-squares start
-/// (DESIGN 2.2). kNotConverged when the gradient stays above 1e-9 rad.
+/// (docs/mathematics.md, Radii). kNotConverged when the gradient stays above 1e-9 rad.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      RadiiSystem* system, LogRadiiResult* result);

@@ -20,8 +20,8 @@ bool OffersResiduals(const Energy& energy);
 
 /// Ceres Solver's nonlinear least squares on the energy's residual blocks: Levenberg and Marquardt,
 /// or dogleg, each step by sparse Cholesky on the normal equations. With exact residuals J'J has
-/// the pattern and conditioning of the Hessian (DESIGN 2.2); kUnsupported for an energy without
-/// any.
+/// the pattern and conditioning of the Hessian (docs/mathematics.md, Radii); kUnsupported for an
+/// energy without any.
 ///
 /// Ceres accepts steps by the value, which near the minimum has half the digits of the gradient; so
 /// steps may raise the value (its non-monotonic mode), and a solve that Ceres ends on equal values

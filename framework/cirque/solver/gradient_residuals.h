@@ -9,8 +9,8 @@
 namespace cirque {
 
 /// Poses grad E(x) = 0 as least squares, for any energy: one residual dE/dx_i a parameter, its
-/// Jacobian the Hessian's row i. J'J is then the Hessian squared, which is why DESIGN 4.5 advises
-/// against it; it is here to be compared with exact residuals.
+/// Jacobian the Hessian's row i. J'J is then the Hessian squared, which is why docs/mathematics.md
+/// (Radii, Least squares) advises against it; it is here to be compared with exact residuals.
 class GradientResiduals {
  public:
   /// `energy` and `run`, which counts the evaluations, must outlive this.

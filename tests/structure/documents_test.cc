@@ -1,0 +1,69 @@
+// What documents say about the tree is so.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/core/version.h"
+
+#include "tests/common/paths.h"
+#include "tests/common/run_program.h"
+#include "tests/common/temporary_folder.h"
+
+namespace cirque {
+namespace {
+
+std::string ReadAll(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(Documents, ThePictureOfTheFloorsIsDrawnFromTheIncludes) {
+  const TemporaryFolder folder;
+  const std::string drawn = folder.Path("architecture.svg");
+  const std::string script = ProjectPath("framework/docs/draw_architecture.py");
+  const auto run = RunShell("python3 '" + script + "' '" + drawn + "'");
+  ASSERT_EQ(run.exit_status, 0) << run.output;
+  const std::string picture = ReadAll(drawn);
+  EXPECT_THAT(picture, testing::HasSubstr("solver includes linear: "));
+  EXPECT_EQ(picture, ReadAll(ProjectPath("framework/docs/architecture.svg")))
+      << "includes have changed: run framework/docs/draw_architecture.py";
+}
+
+TEST(Documents, TheCitationIsOfThisVersion) {
+  EXPECT_THAT(ReadAll(ProjectPath("CITATION.cff")),
+              testing::HasSubstr("\nversion: " + Version() + "\n"));
+}
+
+// Links to files of the tree, relative to the page that has them: "[text](path)".
+std::vector<std::string> LinksOf(const std::string& text) {
+  static const std::regex kLink(R"(\]\(([^)#:]+)\))");
+  std::vector<std::string> links;
+  for (std::sregex_iterator m(text.begin(), text.end(), kLink), end; m != end; ++m) {
+    links.push_back((*m)[1]);
+  }
+  return links;
+}
+
+TEST(Documents, LinksLeadToFiles) {
+  int count = 0;
+  for (const std::string page : {"README.md", "CONTRIBUTING.md", "framework/docs/architecture.md",
+                                 "framework/docs/mathematics.md", "framework/docs/errata.md"}) {
+    const std::filesystem::path folder = std::filesystem::path(ProjectPath(page)).parent_path();
+    for (const std::string& link : LinksOf(ReadAll(ProjectPath(page)))) {
+      EXPECT_TRUE(std::filesystem::exists(folder / link)) << page << ": " << link;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 10);
+}
+
+}  // namespace
+}  // namespace cirque
