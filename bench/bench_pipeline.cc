@@ -43,12 +43,12 @@ void Register(const std::string& name, const std::string& generator,
   }
   for (const std::string& objective : AngleObjectives().Names()) {
     ParameterizeOptions options;
-    options.angle_fit = objective;
-    Register("angle_fit:" + objective, "bumpy_terrain", options, {kLarge});
+    options.angle_objective = objective;
+    Register("angle_objective:" + objective, "bumpy_terrain", options, {kLarge});
   }
   for (const std::string& strategy : SolverStrategies().Names()) {
     ParameterizeOptions options;
-    options.strategy = strategy;
+    options.radii_solver = strategy;
     Register("strategy:" + strategy, "bumpy_terrain", options, {kSmall});
   }
   for (const std::string& objective : MapObjectives().Names()) {

@@ -1,6 +1,7 @@
 // The thesis's program: a triangle mesh in, its conformal map out.
 #include <fstream>
 #include <iostream>
+#include <map>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -44,11 +45,10 @@ DEFINE_string(certificate, "", "file for the certificate; empty: OUTPUT.certific
 DEFINE_string(measures, "",
               "files of distortion measures, a comma between: .csv (per face), .json (per map), "
               ".ply or .ply:METRIC (colours)");
-DEFINE_string(angle_fit, "",
+DEFINE_string(angle_objective, "",
               "objective of the angle fit; default: quadratic, for the sphere entropy");
-DEFINE_string(angle_strategy, cirque::ParameterizeOptions().angle_strategy,
-              "solver of the angle fit");
-DEFINE_string(strategy, cirque::ParameterizeOptions().strategy, "solver of the log radii");
+DEFINE_string(angle_solver, cirque::ParameterizeOptions().angle_solver, "solver of the angle fit");
+DEFINE_string(radii_solver, cirque::ParameterizeOptions().radii_solver, "solver of the log radii");
 DEFINE_string(cones, cirque::ParameterizeOptions().cones,
               "cone heuristic, NAME or NAME:KEY=VALUE,...; without it a closed surface gets "
               "cones that stretch its triangles little, a torus none");
@@ -97,13 +97,16 @@ namespace cirque {
 namespace {
 
 constexpr char kSource[] = "experiments/circle_patterns/";
+const std::map<std::string, std::string> kFormerFlags = {{"angle_fit", "angle_objective"},
+                                                         {"angle_strategy", "angle_solver"},
+                                                         {"strategy", "radii_solver"}};
 constexpr char kUsage[] =
     "Maps a triangle mesh conformally by a circle pattern.\n"
     "  circle_patterns -io IN.obj -oo OUT.obj\n"
     "  circle_patterns -ic IN.con -oo OUT.obj\n"
     "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
     "  circle_patterns OPTIONS.txt           all options in one text file\n"
-    "  mpirun -n 4 circle_patterns ...       -strategy=newton_amg distributed over processes\n"
+    "  mpirun -n 4 circle_patterns ...       -radii_solver=newton_amg distributed over processes\n"
     "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
@@ -168,9 +171,10 @@ StatusOr<CirclePatternsJob> JobOfFlags() {
   job.certificate = FLAGS_certificate;
   const ParameterizeOptions defaults = Domains().Find(FLAGS_domain)->recommended;
   job.options = {.triangulation = FLAGS_triangulation,
-                 .angle_fit = FLAGS_angle_fit.empty() ? defaults.angle_fit : FLAGS_angle_fit,
-                 .angle_strategy = FLAGS_angle_strategy,
-                 .strategy = FLAGS_strategy,
+                 .angle_objective = FLAGS_angle_objective.empty() ? defaults.angle_objective
+                                                                  : FLAGS_angle_objective,
+                 .angle_solver = FLAGS_angle_solver,
+                 .radii_solver = FLAGS_radii_solver,
                  .layout = FLAGS_layout,
                  .cones = FLAGS_cones,
                  .cone_budget = FLAGS_cone_budget,
@@ -197,7 +201,8 @@ StatusOr<std::vector<std::string>> ParseOptionsFile(const std::string& path) {
   for (std::string word; file >> word;) words.push_back(word);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
-  const auto others = ParseFlags(static_cast<int>(arguments.size()), arguments.data(), kSource);
+  const auto others =
+      ParseFlags(static_cast<int>(arguments.size()), arguments.data(), kSource, {}, kFormerFlags);
   return others.ok() ? others : others.status().In(path);
 }
 
@@ -210,12 +215,12 @@ int Main(int argc, char** argv) {
   const StatusOr<bool> served = ServeOtherRanks();
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;
-  StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource);
+  StatusOr<std::vector<std::string>> others = ParseFlags(argc, argv, kSource, {}, kFormerFlags);
   if (others.ok() && argc == 2 && others->size() == 1) others = ParseOptionsFile(others->front());
   if (!others.ok()) return Conclude(others.status());
   if (FLAGS_help) {
     std::cout << kUsage << "\n"
-              << FlagHelp(kSource) << "\nangle fits: " << Join(AngleObjectives().Names())
+              << FlagHelp(kSource) << "\nangle objectives: " << Join(AngleObjectives().Names())
               << "\nsolvers:    " << Join(SolverStrategies().Names())
               << "\ncones:      " << Join(ConeHeuristics().Names())
               << "\nrefinements: " << Join(MapObjectives().Names()) << "\n";

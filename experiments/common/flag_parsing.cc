@@ -1,6 +1,7 @@
 #include "experiments/common/flag_parsing.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -64,6 +65,13 @@ Status SetFlag(const Argument& argument, const std::string& type) {
                                           argument.name, type, argument.value));
 }
 
+void UseNewName(const std::map<std::string, std::string>& former, Argument* argument) {
+  const auto renamed = former.find(argument->name);
+  if (renamed == former.end()) return;
+  fmt::print(stderr, "note: --{} is called --{} now\n", argument->name, renamed->second);
+  argument->name = renamed->second;
+}
+
 bool Contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -71,7 +79,8 @@ bool Contains(const std::vector<std::string>& words, const std::string& word) {
 }  // namespace
 
 StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
-                                              const std::vector<std::string>& value_optional) {
+                                              const std::vector<std::string>& value_optional,
+                                              const std::map<std::string, std::string>& former) {
   std::vector<std::string> others;
   for (int i = 1; i < argc; ++i) {
     const std::string text = argv[i];
@@ -84,6 +93,7 @@ StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::
       continue;
     }
     Argument argument = Split(text);
+    UseNewName(former, &argument);
     gflags::CommandLineFlagInfo info;
     if (!FindFlag(&argument, &info) || !Contains(NamesOf(source), argument.name)) {
       return Status::InvalidInput(UnknownName("flag", argument.name, NamesOf(source)));

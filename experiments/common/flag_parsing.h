@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace cirque {
 /// misspelt name or a wrong value is a status that says what was meant, and `--help` is the flag
 /// help of gflags, left to the program.
 /// `source` is a part of the paths of the program's sources, "experiments/run_experiment/".
-/// A flag named in `value_optional` is "-" when it is given without "=VALUE".
-StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
-                                              const std::vector<std::string>& value_optional = {});
+/// A flag named in `value_optional` is "-" when it is given without "=VALUE". `former` has the names
+/// that flags had once and have now: the old ones go on working, with a word on stderr.
+StatusOr<std::vector<std::string>> ParseFlags(
+    int argc, char** argv, const std::string& source,
+    const std::vector<std::string>& value_optional = {},
+    const std::map<std::string, std::string>& former = {});
 
 /// One entry for each of the program's flags: name, help, default.
 std::string FlagHelp(const std::string& source);

@@ -191,9 +191,9 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
                [](const Run& run) { return run.IsOk(); });
   return TimeScatter(maps) + ProfileChart(runs) + Histograms(maps) + DistortionScatter(maps) +
          ConvergenceChart(runs, "angles", "Convergence of the angle fit",
-                          [](const Run& run) { return run.angle_strategy; }) +
+                          [](const Run& run) { return run.angle_solver; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",
-                          [](const Run& run) { return run.strategy; });
+                          [](const Run& run) { return run.radii_solver; });
 }
 
 }  // namespace cirque::experiment_report

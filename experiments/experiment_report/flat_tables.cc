@@ -105,8 +105,8 @@ FlatTable RunTable(const std::vector<Run>& runs) {
 FlatTable ConvergenceTable(const std::vector<Run>& runs) {
   FlatTable table{{"key", "mesh", "method", "stage", "strategy", "iteration", "gradient"}, {}};
   for (const Run& run : runs) {
-    AddHistory(run, "angles", run.angle_strategy, &table);
-    AddHistory(run, "radii", run.strategy, &table);
+    AddHistory(run, "angles", run.angle_solver, &table);
+    AddHistory(run, "radii", run.radii_solver, &table);
   }
   return table;
 }

@@ -19,14 +19,28 @@ bool IsRecord(const json& line) {
          line.contains("outcome") && line["outcome"].is_string();
 }
 
+/// Records of earlier releases have the methods' keys by their old names.
+void UseNewNames(json* record) {
+  const auto method = record->find("method");
+  if (method == record->end() || !method->is_object()) return;
+  for (const auto& [former, now] : {std::pair{"angle_fit", "angle_objective"},
+                                    {"angle_strategy", "angle_solver"},
+                                    {"strategy", "radii_solver"}}) {
+    if (!method->contains(former)) continue;
+    (*method)[now] = std::move((*method)[former]);
+    method->erase(former);
+  }
+}
+
 Run MakeRun(json record) {
+  UseNewNames(&record);
   Run run;
   run.key = TextAt(record, "/key");
   run.mesh = TextAt(record, "/mesh/name");
   run.mesh_hash = TextAt(record, "/mesh/hash");
   run.method = TextAt(record, "/method/name");
-  run.strategy = TextAt(record, "/method/strategy");
-  run.angle_strategy = TextAt(record, "/method/angle_strategy");
+  run.radii_solver = TextAt(record, "/method/radii_solver");
+  run.angle_solver = TextAt(record, "/method/angle_solver");
   run.outcome = TextAt(record, "/outcome");
   run.message = TextAt(record, "/message");
   run.map = TextAt(record, "/map");

@@ -12,7 +12,7 @@ namespace cirque::experiment_report {
 /// One record of an experiment. What a record lacks is empty, or NaN.
 struct Run {
   nlohmann::json record;
-  std::string key, mesh, mesh_hash, method, strategy, angle_strategy, outcome, message;
+  std::string key, mesh, mesh_hash, method, radii_solver, angle_solver, outcome, message;
   std::string map;  ///< of the kept map, relative to the folder of the results
   double triangles = 0, seconds = 0;
 

@@ -141,6 +141,7 @@ StatusOr<ExperimentConfig> LoadConfig(const std::string& path) {
   config.hash = HashOf(*text);
   Diagnostics problems(path, *text);
   if (const std::optional<YAML::Node> document = ParseYaml(*text, &problems)) {
+    config.renamed = UseNewWords(*document, ConfigSchema(), problems);
     Validate(*document, ConfigSchema(), &problems);
     if (document->IsMap() && IsExpandable(*document, &problems)) {
       Fill(*document, &problems, &config);

@@ -21,6 +21,7 @@ struct ExperimentConfig {
   nlohmann::json figures = nlohmann::json::array();  ///< as ReadFigures makes them
   std::string output;                                ///< absolute folder
   std::vector<std::string> notes;                    ///< what was left out, and why
+  std::vector<std::string> renamed;                  ///< where words stand that are others now
 };
 
 /// Reads and checks a config. The message of a failure lists every problem as

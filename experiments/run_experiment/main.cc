@@ -20,7 +20,7 @@ DEFINE_bool(help_config, false, "explain every key of a config and exit");
 DEFINE_bool(dry_run, false, "check the config, list its runs, write nothing");
 DEFINE_string(only, "",
               "make only the runs with this in their name, or matching the pattern (* ?)");
-DEFINE_int32(jobs, 1, "runs side by side, each a process with one BLAS thread");
+DEFINE_int32(parallel_runs, 1, "runs side by side, each a process with one BLAS thread");
 DEFINE_string(shard, "", "i/n: make only the i-th of n parts of the runs");
 DEFINE_bool(merge, false, "make no run: collect what the shards have recorded");
 DEFINE_bool(markdown, false, "with --help_config: as experiments/CONFIG.md");
@@ -39,7 +39,7 @@ constexpr char kUsage[] =
     "Runs that are finished already are not made again.\n\n";
 
 constexpr char kWorkerArgument[] = "--worker";
-constexpr int kMaxJobs = 1024;
+constexpr int kMaxParallelRuns = 1024;
 constexpr int kSomeRunFailed = 1;
 constexpr int kBadInput = 2;
 
@@ -82,9 +82,9 @@ void PrintSummary(const RunSummary& summary, std::size_t selected, const std::st
 
 StatusOr<RunnerOptions> ChooseOptions() {
   RunnerOptions options;
-  if (FLAGS_jobs < 1 || FLAGS_jobs > kMaxJobs) {
-    return Status::InvalidInput(
-        fmt::format("--jobs={}: expected a number from 1 to {}", FLAGS_jobs, kMaxJobs));
+  if (FLAGS_parallel_runs < 1 || FLAGS_parallel_runs > kMaxParallelRuns) {
+    return Status::InvalidInput(fmt::format("--parallel_runs={}: expected a number from 1 to {}",
+                                            FLAGS_parallel_runs, kMaxParallelRuns));
   }
   if (!FLAGS_shard.empty()) {
     const StatusOr<Shard> shard = ParseShard(FLAGS_shard);
@@ -97,13 +97,14 @@ StatusOr<RunnerOptions> ChooseOptions() {
   options.fresh = FLAGS_fresh;
   options.progress = stdout;
   options.stop = [] { return FLAGS_merge || IsInterrupted(); };
-  options.jobs = FLAGS_jobs;
+  options.jobs = FLAGS_parallel_runs;
   options.worker = {"/proc/self/exe", kWorkerArgument};
   return options;
 }
 
 int Run(ExperimentConfig config) {
   if (!FLAGS_output.empty()) config.output = FLAGS_output;
+  for (const std::string& note : config.renamed) fmt::print(stderr, "{}\n", note);
   for (const std::string& note : config.notes) fmt::print("{}\n", note);
   const StatusOr<std::vector<Cell>> cells = Select(config);
   if (!cells.ok()) return Refuse(cells.status());
@@ -133,7 +134,8 @@ int Main(int argc, char** argv) {
   UseOneBlasThread();
   UseOneHeap();
   if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeCell);
-  const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
+  const StatusOr<std::vector<std::string>> arguments =
+      ParseFlags(argc, argv, kSource, {}, {{"jobs", "parallel_runs"}});
   if (!arguments.ok()) return Refuse(arguments.status());
   if (FLAGS_help) {
     fmt::print("{}{}", kUsage, FlagHelp(kSource));

@@ -18,8 +18,9 @@ struct MethodField {
   std::string name;
   Member member;
   std::string help;
-  double minimum = 0, maximum = 0;   ///< of a number, both allowed
-  std::vector<std::string> choices;  ///< the texts allowed; empty: any
+  double minimum = 0, maximum = 0;       ///< of a number, both allowed
+  std::vector<std::string> choices;      ///< the texts allowed; empty: any
+  std::vector<std::string> former = {};  ///< names that it had once
 };
 
 /// The table of fields, one line an entry.

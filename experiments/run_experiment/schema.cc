@@ -34,7 +34,8 @@ SchemaField ForMethod(const MethodField& field) {
                   .help = field.help,
                   .default_text = DefaultOf(field),
                   .matrix = true,
-                  .choices = field.choices};
+                  .choices = field.choices,
+                  .former = field.former};
   if (!is_text) {
     row.minimum = field.minimum;
     row.maximum = field.maximum;
@@ -163,6 +164,14 @@ Schema RunFields() {
   };
 }
 
+std::map<std::string, std::string> FormerGroups() {
+  std::map<std::string, std::string> former;
+  for (const MethodField& field : MethodFields()) {
+    for (const std::string& name : field.former) former[name] = field.name;
+  }
+  return former;
+}
+
 /// The entries of `figures`.
 Schema FigureFields() {
   return {
@@ -180,7 +189,8 @@ Schema FigureFields() {
       {.path = "figures.by",
        .help = "the runs of one colour have this in common",
        .default_text = "method",
-       .choices = GroupNames()},
+       .choices = GroupNames(),
+       .former_choices = FormerGroups()},
       {.path = "figures.scale",
        .help = "of the axes: both linear, both logarithmic, or one of them",
        .default_text = "linear",

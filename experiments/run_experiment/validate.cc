@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -184,7 +185,61 @@ void Validator::CheckScalar(const YAML::Node& value, const SchemaField& field) {
   }
 }
 
+/// Renames what a document calls by an old word.
+class Renamer {
+ public:
+  Renamer(const Schema& schema, const Diagnostics& places) : schema_(schema), places_(places) {}
+
+  void RenameIn(const YAML::Node& map, const std::string& path) {
+    if (!map.IsMap()) return;
+    for (const auto& pair : map) {
+      YAML::Node key = pair.first;
+      for (const SchemaField* field : FieldsOf(schema_, path)) {
+        if (Contains(field->former, key.Scalar())) Rename(field->Key(), &key);
+        if (field->Key() == key.Scalar()) RenameValues(pair.second, *field);
+      }
+    }
+  }
+
+  std::vector<std::string> notes;
+
+ private:
+  static bool Contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  }
+
+  void Rename(const std::string& now, YAML::Node* word) {
+    if (said_.insert(word->Scalar()).second) {
+      notes.push_back(fmt::format("{}: note: '{}' is called '{}' now",
+                                  places_.Locate(PlaceOf(*word)), word->Scalar(), now));
+    }
+    *word = now;
+  }
+
+  void RenameValues(const YAML::Node& value, const SchemaField& field) {
+    if (value.IsSequence()) {
+      for (const YAML::Node& item : value) RenameValues(item, field);
+    } else if (field.kind == FieldKind::kSections) {
+      RenameIn(value, field.path);
+    } else if (value.IsScalar() && field.former_choices.contains(value.Scalar())) {
+      YAML::Node word = value;
+      Rename(field.former_choices.at(value.Scalar()), &word);
+    }
+  }
+
+  const Schema& schema_;
+  const Diagnostics& places_;
+  std::set<std::string> said_;
+};
+
 }  // namespace
+
+std::vector<std::string> UseNewWords(const YAML::Node& document, const Schema& schema,
+                                     const Diagnostics& places) {
+  Renamer renamer(schema, places);
+  renamer.RenameIn(document, "");
+  return renamer.notes;
+}
 
 void Validate(const YAML::Node& document, const Schema& schema, Diagnostics* problems) {
   Validator(schema, problems).CheckMap(document, "");

@@ -12,4 +12,9 @@ namespace cirque {
 /// empty lists.
 void Validate(const YAML::Node& document, const Schema& schema, Diagnostics* problems);
 
+/// Puts what keys and choices are called now where the document has what they were called once.
+/// Returns a line for each old word, of its first place.
+std::vector<std::string> UseNewWords(const YAML::Node& document, const Schema& schema,
+                                     const Diagnostics& places);
+
 }  // namespace cirque

@@ -27,7 +27,7 @@ def excess(run):
 
 def pairs(runs, group, objective, base="quadratic"):
     """(run with the objective, run with the base) on every mesh that both map."""
-    found = {(run.mesh, run.method["angle_fit"]): run for run in runs if run.group == group and run.ok}
+    found = {(run.mesh, run.method["angle_objective"]): run for run in runs if run.group == group and run.ok}
     meshes = records.by_size(runs)
     return [(found[mesh, objective], found[mesh, base]) for mesh in meshes
             if (mesh, objective) in found and (mesh, base) in found]
@@ -41,7 +41,7 @@ def outcomes(runs, group, objective):
     """"14 ok, 2 infeasible"."""
     counts = {}
     for run in runs:
-        if run.group == group and run.method["angle_fit"] == objective:
+        if run.group == group and run.method["angle_objective"] == objective:
             counts[run.outcome] = counts.get(run.outcome, 0) + 1
     return ", ".join(f"{count} {outcome}" for outcome, count in sorted(counts.items(), key=lambda c: (c[0] != "ok", c)))
 
@@ -79,7 +79,7 @@ def verdict(runs):
 
 
 def measure_table(runs, group, measure, text):
-    found = {(run.mesh, run.method["angle_fit"]): run for run in runs if run.group == group}
+    found = {(run.mesh, run.method["angle_objective"]): run for run in runs if run.group == group}
     rows = []
     for mesh in records.by_size(runs):
         own = [found.get((mesh, objective)) for objective in OBJECTIVES]

@@ -16,6 +16,10 @@ plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cirque", "font.siz
 COLOURS = ["#1b6ca8", "#c8553d", "#4a8c5c", "#8a5a9e", "#b8860b", "#5f6b73"]
 
 
+# What methods' keys were called in records of earlier releases.
+FORMER_KEYS = {"angle_fit": "angle_objective", "angle_strategy": "angle_solver", "strategy": "radii_solver"}
+
+
 class BadRecords(Exception):
     """The records are missing or are not those of the study."""
 
@@ -28,7 +32,7 @@ class Run:
         self.mesh = record["mesh"]["name"]
         self.family = record["mesh"].get("family") or self.mesh
         self.triangles = record["mesh"]["triangles"]
-        self.method = record["method"]
+        self.method = {FORMER_KEYS.get(key, key): value for key, value in record["method"].items()}
         self.group = record["method"]["name"].split(",")[0]
         self.outcome = record["outcome"]
         self.ok = self.outcome == "ok"

@@ -4,11 +4,11 @@ from studies.records import plt, power_fit, shown, table
 
 OUTPUT = "strategies_by_size"
 PROBLEMS = {
-    "log radii": ("radii", lambda run: run.group.startswith("radii"), lambda run: run.method["strategy"]),
+    "log radii": ("radii", lambda run: run.group.startswith("radii"), lambda run: run.method["radii_solver"]),
     "angles, quadratic": ("angle", lambda run: run.group.startswith("angles") and
-                          run.method["angle_fit"] == "quadratic", lambda run: run.method["angle_strategy"]),
-    "angles, barrier": ("angle", lambda run: run.group.startswith("angles") and run.method["angle_fit"] == "barrier",
-                        lambda run: run.method["angle_strategy"]),
+                          run.method["angle_objective"] == "quadratic", lambda run: run.method["angle_solver"]),
+    "angles, barrier": ("angle", lambda run: run.group.startswith("angles") and run.method["angle_objective"] == "barrier",
+                        lambda run: run.method["angle_solver"]),
 }
 
 

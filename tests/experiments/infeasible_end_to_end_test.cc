@@ -76,7 +76,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
     CirclePatternsJob job;
     job.input = Path("in.obj");
     job.output = Path("out.obj");
-    job.options.angle_strategy = method;
+    job.options.angle_solver = method;
     job.options.triangulation = "input";
     std::ostringstream report;
     EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);

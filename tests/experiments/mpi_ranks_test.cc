@@ -66,9 +66,9 @@ std::string StrategyOf(const std::string& stage, const std::string& certificate)
 }
 
 TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
-  const std::string amg = "--strategy=newton_amg --angle_strategy=newton_amg";
+  const std::string amg = "--radii_solver=newton_amg --angle_solver=newton_amg";
   const ProgramResult factored =
-      RunShell(Program("factored.obj", "--strategy=newton_cg --angle_strategy=newton"));
+      RunShell(Program("factored.obj", "--radii_solver=newton_cg --angle_solver=newton"));
   const ProgramResult one = RunShell(Program("one.obj", amg));
   const ProgramResult alone = RunShell(kMpirun + ("-n 1 " + Program("alone.obj", amg)));
   const ProgramResult two = RunShell(kMpirun + ("-n 2 " + Program("two.obj", amg)));
@@ -92,8 +92,8 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
 }
 
 TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {
-  const ProgramResult run =
-      RunShell(kMpirun + ("-n 2 " + Program("no/such/folder/out.obj", "--strategy=newton_amg")));
+  const ProgramResult run = RunShell(
+      kMpirun + ("-n 2 " + Program("no/such/folder/out.obj", "--radii_solver=newton_amg")));
   EXPECT_EQ(run.exit_status, 2) << run.output;
 }
 
@@ -106,7 +106,7 @@ TEST_F(MpiRanks, TheDeathOfOneEndsAll) {
 
 TEST_F(MpiRanks, PetscIsLoadedOnlyWhereItIsUsed) {
   const auto libraries = [&](const std::string& strategy) {
-    return RunShell("LD_DEBUG=libs " + Program("out.obj", "--strategy=" + strategy)).output;
+    return RunShell("LD_DEBUG=libs " + Program("out.obj", "--radii_solver=" + strategy)).output;
   };
   EXPECT_THAT(libraries("newton_amg"), HasSubstr("libpetsc"));
   const std::string without = libraries("newton_cg");

@@ -48,6 +48,23 @@ class ProgramsTest : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(ProgramsTest, FlagsByTheirOldNamesWorkAndSayOnceWhatTheyAreCalledNow) {
+  const std::string in = Write("in.obj", *GenerateMesh("bumpy_terrain", {100, 1}));
+  const ProgramResult mapped = Flatten(
+      in, folder_.Path("out.obj"), "-angle_fit=entropy --angle_strategy dual --strategy=newton");
+  EXPECT_EQ(mapped.exit_status, 0) << mapped.output;
+  for (const char* note : {"note: --angle_fit is called --angle_objective now\n",
+                           "note: --angle_strategy is called --angle_solver now\n",
+                           "note: --strategy is called --radii_solver now\n"}) {
+    const std::size_t first = mapped.output.find(note);
+    ASSERT_NE(first, std::string::npos) << mapped.output;
+    EXPECT_EQ(mapped.output.find(note, first + 1), std::string::npos);
+  }
+  const ProgramResult refused = Flatten(in, folder_.Path("out.obj"), "--strategy=newtn");
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_THAT(refused.output, HasSubstr("did you mean 'newton'?"));
+}
+
 TEST_F(ProgramsTest, AMapOfEveryReadableFormatIsVerified) {
   const PolygonSoup soup = *GenerateMesh("bumpy_terrain", {400, 1});
   for (const char* name : {"in.obj", "in.off", "in.ply"}) {

@@ -11,7 +11,7 @@ nlohmann::json ReportRecord(const std::string& mesh, const std::string& method, 
   return {
       {"key", mesh + "-" + method},
       {"mesh", {{"name", mesh}, {"hash", "h-" + mesh}, {"vertices", 60}, {"triangles", 100}}},
-      {"method", {{"name", method}, {"strategy", "newton"}, {"angle_strategy", "newton"}}},
+      {"method", {{"name", method}, {"radii_solver", "newton"}, {"angle_solver", "newton"}}},
       {"repeat", 0},
       {"outcome", "ok"},
       {"message", ""},

@@ -55,8 +55,8 @@ const std::vector<BadConfig>& BadConfigs() {
        "exclude, time_limit, memory_limit, keep_maps, reference, measures, output, figures"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
-       "domain, triangulation, angle_fit, "
-       "angle_strategy, strategy, layout, cones, cone_budget, cone_angles, refine_cones, "
+       "domain, triangulation, angle_objective, "
+       "angle_solver, radii_solver, layout, cones, cone_budget, cone_angles, refine_cones, "
        "refine_map, "
        "seams, cut_cost, "
        "edge_costs, epsilon, "
@@ -116,8 +116,8 @@ const std::vector<BadConfig>& BadConfigs() {
       {"UnknownGenerator", Config("generator: bumpy_terain", kMethod),
        ":3:16: unknown generator "
        "'bumpy_terain'; did you mean 'bumpy_terrain'?"},
-      {"UnknownStrategy", Config(kMesh, "{name: a, strategy: newtn}"),
-       ":5:25: unknown strategy 'newtn'; did you mean 'newton'?"},
+      {"UnknownStrategy", Config(kMesh, "{name: a, radii_solver: newtn}"),
+       ":5:29: unknown radii_solver 'newtn'; did you mean 'newton'?"},
       {"SeedOfAFile", Config("{file: a.obj, optional: true, seed: 3}", kMethod),
        ":3:35: 'seed' has a meaning only beside 'generator'"},
       {"NoMember", Config("archive: a.tgz", kMethod), ":3:5: 'archive' needs 'member' beside it"},
@@ -201,21 +201,22 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
       "question: why\nrepeats: 0\nmeshes:\n  - file: a.obj\nmethods:\n\t\n  - nam: a\n");
   const StatusOr<ExperimentConfig> config = LoadConfig(path);
   ASSERT_FALSE(config.ok());
-  EXPECT_EQ(
-      config.status().message(),
-      path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
-          "  repeats: 0\n           ^\n" +  //
-          path + ":4:11: there is no file '" + folder.path() +
-          "/a.obj'; put it there, or skip it with 'optional: true'\n" +
-          "    - file: a.obj\n            ^\n" +  //
-          path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-          "domain, triangulation, angle_fit, angle_strategy, strategy, layout, cones, cone_budget, "
-          "cone_angles, refine_cones, refine_map, seams, cut_cost, edge_costs, epsilon, "
-          "max_iterations\n    "
-          "- nam: a\n      "
-          "^\n" +  //
-          path +
-          ":7:5: the key 'name' is missing: its name in tables\n" + "    - nam: a\n      ^\n");
+  EXPECT_EQ(config.status().message(),
+            path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
+                "  repeats: 0\n           ^\n" +  //
+                path + ":4:11: there is no file '" + folder.path() +
+                "/a.obj'; put it there, or skip it with 'optional: true'\n" +
+                "    - file: a.obj\n            ^\n" +  //
+                path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
+                "domain, triangulation, angle_objective, angle_solver, radii_solver, layout, "
+                "cones, cone_budget, "
+                "cone_angles, refine_cones, refine_map, seams, cut_cost, edge_costs, epsilon, "
+                "max_iterations\n    "
+                "- nam: a\n      "
+                "^\n" +  //
+                path +
+                ":7:5: the key 'name' is missing: its name in tables\n" +
+                "    - nam: a\n      ^\n");
 }
 
 TEST(RunExperimentConfig, CaretStandsUnderTheColumnAfterTabsAndUmlauts) {
@@ -367,7 +368,37 @@ TEST(RunExperimentConfig, KeysLeftOutKeepTheDefaultsOfParameterizeOptions) {
   const ParameterizeOptions defaults, &options = config->cells[0].method.options;
   EXPECT_EQ(options.max_iterations, 7);
   EXPECT_EQ(options.epsilon, defaults.epsilon);
-  EXPECT_EQ(options.angle_fit, defaults.angle_fit);
+  EXPECT_EQ(options.angle_objective, defaults.angle_objective);
+}
+
+TEST(RunExperimentConfig, OldWordsWorkAndSayOnceWhatTheyAreCalledNow) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write(
+      "a.yaml", Config(kMesh,
+                       "{name: a, angle_fit: entropy, angle_strategy: dual}\n"
+                       "  - {name: b, strategy: [newton, newton_cg], angle_fit: barrier}",
+                       "figures:\n  - {x: triangles, y: seconds, by: strategy}\n"));
+  const StatusOr<ExperimentConfig> config = LoadConfig(path);
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_THAT(LabelsOf(*config),
+              ElementsAre("bumpy_terrain/a", "bumpy_terrain/b,radii_solver=newton",
+                          "bumpy_terrain/b,radii_solver=newton_cg"));
+  EXPECT_EQ(config->cells[0].method.options.angle_objective, "entropy");
+  EXPECT_EQ(config->cells[0].method.options.angle_solver, "dual");
+  EXPECT_EQ(config->cells[2].method.options.radii_solver, "newton_cg");
+  EXPECT_THAT(config->figures.dump(), HasSubstr("radii_solver"));
+  EXPECT_THAT(config->renamed,
+              ElementsAre(path + ":5:15: note: 'angle_fit' is called 'angle_objective' now",
+                          path + ":5:35: note: 'angle_strategy' is called 'angle_solver' now",
+                          path + ":6:15: note: 'strategy' is called 'radii_solver' now"));
+}
+
+TEST(RunExperimentConfig, AnOldWordBesideItsNewOneIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.Write("a.yaml", Config(kMesh, "{name: a, strategy: newton, radii_solver: newton}"));
+  EXPECT_THAT(LoadConfig(path).status().message(),
+              HasSubstr(":5:33: 'radii_solver' is given twice (first on line 5): remove one"));
 }
 
 TEST(RunExperimentConfig, HelpExplainsEveryKeyAndItsExampleIsAValidConfig) {

@@ -153,7 +153,7 @@ TEST_F(RunExperimentKeys, SeedsMakeGeneratedMeshesAnewAndFilesOnce) {
 TEST_F(RunExperimentKeys, EveryQuantityOfFiguresIsInSomeRecord) {
   const std::vector<Record> records =
       Run(Load("  - {generator: hemisphere, triangles: 200}\n",
-               "  - {name: a, strategy: newton_cg, angle_strategy: newton_cg}\n",
+               "  - {name: a, radii_solver: newton_cg, angle_solver: newton_cg}\n",
                "reference: true\nmeasures: [" + Join(FigureNames()) + "]\n"));
   ASSERT_EQ(records.at(0)["outcome"], "ok");
   for (const Quantity& quantity : Quantities()) {

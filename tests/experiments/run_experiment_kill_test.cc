@@ -47,7 +47,8 @@ class RunExperimentSignalsSlow : public ::testing::Test {
     setpgid(0, 0);
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
-    execl(program.c_str(), program.c_str(), config_.c_str(), output.c_str(), "--jobs=2", nullptr);
+    execl(program.c_str(), program.c_str(), config_.c_str(), output.c_str(), "--parallel_runs=2",
+          nullptr);
     _exit(127);
   }
 

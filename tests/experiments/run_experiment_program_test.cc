@@ -44,7 +44,7 @@ TEST(RunExperimentProgram, MistakesOnTheCommandLineEndWithStatusTwo) {
       {config + " --only", "--only needs a value"},
       {config + " --only=zzz", "--only=zzz: no run of "},
       {config + " --only='z*z'", "--only=z*z: no run of "},
-      {config + " --jobs=0", "--jobs=0: expected a number from 1 to 1024"},
+      {config + " --parallel_runs=0", "--parallel_runs=0: expected a number from 1 to 1024"},
       {config + " --shard=3/2", "--shard=3/2: expected i/n with i from 1 to n"},
       {config + " --merge --shard=1/2", "--merge collects all shards: leave out --shard"},
   };
@@ -53,6 +53,12 @@ TEST(RunExperimentProgram, MistakesOnTheCommandLineEndWithStatusTwo) {
     EXPECT_EQ(ended.status, 2) << arguments;
     EXPECT_THAT(ended.output, HasSubstr(message));
   }
+}
+
+TEST(RunExperimentProgram, AnOldFlagWorksAndSaysItsNewName) {
+  const Ended ended = RunProgram("--dry_run --jobs=2 " + ProjectPath("configs/quickstart.yaml"));
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_THAT(ended.output, HasSubstr("note: --jobs is called --parallel_runs now"));
 }
 
 TEST(RunExperimentProgram, HelpIsShortAndNamesEveryFlag) {

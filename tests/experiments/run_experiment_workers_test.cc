@@ -190,7 +190,7 @@ TEST(RunExperimentJobs, KeepTheirBytesAndDigits) {
   cell.mesh.known_boundary = true;
   cell.mesh.generator_options.seed = 4294967295u;
   cell.method.options.epsilon = 0.1 + 0.2;
-  cell.method.options.strategy = "newton_cg";
+  cell.method.options.radii_solver = "newton_cg";
   cell.method.domain = "disk";
   cell.mesh.family = "torus";
   cell.mesh.subdivisions = 3;

@@ -76,8 +76,8 @@ TEST_F(StudyTest, ScalingFindsTheExponentAndTheMultiplesOfR) {
 
 nlohmann::json ObjectiveRecord(const std::string& mesh, const std::string& objective,
                                double distortion, double cpu) {
-  nlohmann::json record = ReportRecord(mesh, "raw,angle_fit=" + objective, 1);
-  record["method"]["angle_fit"] = objective;
+  nlohmann::json record = ReportRecord(mesh, "raw,angle_objective=" + objective, 1);
+  record["method"]["angle_objective"] = objective;
   record["values"]["quasi_conformal_mean"] = 1 + distortion;
   record["values"]["angle_error_mean"] = distortion;
   record["cpu_seconds"] = cpu;
@@ -102,7 +102,7 @@ TEST_F(StudyTest, StrategiesAreComparedByStageAndGrowth) {
   std::vector<nlohmann::json> records;
   for (const double n : {1e3, 1e4, 1e5}) {
     nlohmann::json record =
-        ReportRecord("bumpy_terrain-" + std::to_string(n), "radii,strategy=newton", 1);
+        ReportRecord("bumpy_terrain-" + std::to_string(n), "radii,radii_solver=newton", 1);
     record["mesh"]["family"] = "bumpy_terrain";
     record["mesh"]["triangles"] = n;
     record["cpu_seconds"] = 1e-9 * n * n;

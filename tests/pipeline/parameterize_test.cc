@@ -165,7 +165,7 @@ TEST(Parameterize, DelaunayFlipsBringAScrambledPatchBackToItsPlane) {
 
 TEST(Parameterize, UnknownNamesAreRefused) {
   ParameterizeOptions options;
-  options.strategy = "newtn";
+  options.radii_solver = "newtn";
   Parameterization map;
   const Status status = FreeBoundaryMap(GeneratedSurface("bumpy_terrain", 100), options, {}, &map);
   EXPECT_EQ(status.code(), StatusCode::kInvalidInput);

@@ -20,7 +20,7 @@ namespace {
 ParameterizeOptions OnInput(const std::string& fit) {
   ParameterizeOptions options;
   options.triangulation = "input";
-  options.angle_fit = fit;
+  options.angle_objective = fit;
   return options;
 }
 

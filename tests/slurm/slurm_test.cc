@@ -68,7 +68,7 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
   std::printf("%s", array.output.c_str());
   ASSERT_EQ(array.exit_status, 0) << folder.Read("logs/1.log") << folder.Read("logs/2.log");
   const ProgramResult local =
-      RunProgram("run_experiment --jobs=2 --output=" + folder.path() + "/local " + config);
+      RunProgram("run_experiment --parallel_runs=2 --output=" + folder.path() + "/local " + config);
   ASSERT_EQ(local.exit_status, 0) << local.output;
 
   const auto found = Records(folder.Read("results/results.jsonl"));
@@ -93,13 +93,13 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
 TEST(SlurmScript, PrintsAnArrayThatIsQueuedAgain) {
   const TemporaryFolder folder;
   const std::string config = folder.Write("a study.yaml", kConfig);
-  const ProgramResult script =
-      Shell(ProjectPath("experiments/slurm") + " '" + config + "' --shards 5 --jobs 3 --program " +
-            ProgramFolder() + "/run_experiment -- --only='*/thin' --sbatch-partition=long");
+  const ProgramResult script = Shell(ProjectPath("experiments/slurm") + " '" + config +
+                                     "' --shards 5 --parallel_runs 3 --program " + ProgramFolder() +
+                                     "/run_experiment -- --only='*/thin' --sbatch-partition=long");
   ASSERT_EQ(script.exit_status, 0) << script.output;
   for (const char* line : {"#SBATCH --array=1-5\n", "#SBATCH --cpus-per-task=3\n",
                            "#SBATCH --requeue\n", "#SBATCH --partition=long\n",
-                           "/a\\ study.yaml --only=\\*/thin --jobs=3 "
+                           "/a\\ study.yaml --only=\\*/thin --parallel_runs=3 "
                            "--shard=\"$SLURM_ARRAY_TASK_ID/5\"\n"}) {
     EXPECT_THAT(script.output, HasSubstr(line));
   }

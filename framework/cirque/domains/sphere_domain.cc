@@ -258,7 +258,7 @@ class SphereMapping {
 
 ParameterizeOptions SphereParameterizeOptions() {
   ParameterizeOptions options;
-  options.angle_fit = "entropy";
+  options.angle_objective = "entropy";
   return options;
 }
 

@@ -120,7 +120,7 @@ class Flattening {
   Status Solve() {
     certificate_.infeasibility = {};
     Put({{"flips", static_cast<double>(result_.intrinsic.flips.size())}});
-    const auto strategy = MakeSolverStrategy(options_.strategy, SolverOptions());
+    const auto strategy = MakeSolverStrategy(options_.radii_solver, SolverOptions());
     if (!strategy.ok()) return strategy.status();
     strategy_ = *strategy;
     radii_system_ = std::make_unique<RadiiSystem>(t(), *strategy_);
@@ -144,11 +144,11 @@ class Flattening {
   const Triangulation& t() const { return result_.intrinsic.triangulation; }
 
   Status FitAngles() {
-    const auto objective = AngleObjectives().Find(options_.angle_fit);
+    const auto objective = AngleObjectives().Find(options_.angle_objective);
     if (!objective.ok()) return objective.status();
     const ConeTargets targets = TransferTargets(input_, targets_, t());
     const AngleConstraints constraints(t(), targets);
-    const auto method = MakeAngleFitMethod(options_.angle_strategy, SolverOptions());
+    const auto method = MakeAngleFitMethod(options_.angle_solver, SolverOptions());
     if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
     const AngleFitProblem problem = {constraints, reference.value, options_.epsilon,

@@ -8,10 +8,10 @@ namespace cirque {
 /// by its name.
 struct ParameterizeOptions {
   std::string triangulation = "delaunay";  ///< "delaunay": intrinsic Delaunay flips; "input": none
-  std::string angle_fit = "quadratic";     ///< a name of AngleObjectives()
-  std::string angle_strategy = "auto";     ///< a name of AngleStrategyNames()
-  std::string strategy = "auto";           ///< a name of SolverStrategies(), for the log radii
-  std::string layout = "directions";       ///< or "least_squares" (Poisson)
+  std::string angle_objective = "quadratic";  ///< a name of AngleObjectives()
+  std::string angle_solver = "auto";          ///< a name of AngleStrategyNames()
+  std::string radii_solver = "auto";          ///< a name of SolverStrategies(), for the log radii
+  std::string layout = "directions";          ///< or "least_squares" (Poisson)
   /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,
   /// which are no cones with a boundary. For targets that are not given otherwise.
   std::string cones;

@@ -199,7 +199,7 @@ class Refinement {
 Status RefineCones(const Triangulation& input, const EdgeLengths& lengths,
                    const ParameterizeOptions& options, const SolveControl& control,
                    Certificate* certificate, ConeTargets* targets, FlatSurface* flat) {
-  const auto objective = AngleObjectives().Find(options.angle_fit);
+  const auto objective = AngleObjectives().Find(options.angle_objective);
   if (!objective.ok()) return objective.status();
   const double before = AreaDistortion(*flat);
   Refinement refinement(input, lengths, *targets, options, control, *flat, **objective);
