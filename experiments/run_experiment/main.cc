@@ -9,12 +9,12 @@
 #include "experiments/common/flag_parsing.h"
 #include "experiments/common/heap.h"
 #include "experiments/common/interrupt.h"
-#include "experiments/run_experiment/columns.h"
-#include "experiments/run_experiment/config.h"
-#include "experiments/run_experiment/report_program.h"
-#include "experiments/run_experiment/runner.h"
-#include "experiments/run_experiment/schema.h"
-#include "experiments/run_experiment/worker_pool.h"
+#include "experiments/run_experiment/config/config.h"
+#include "experiments/run_experiment/config/schema.h"
+#include "experiments/run_experiment/results/columns.h"
+#include "experiments/run_experiment/results/report_program.h"
+#include "experiments/run_experiment/run/runner.h"
+#include "experiments/run_experiment/run/worker_pool.h"
 
 DEFINE_bool(help_config, false, "explain every key of a config and exit");
 DEFINE_bool(dry_run, false, "check the config, list its runs, write nothing");

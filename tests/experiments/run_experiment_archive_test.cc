@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/archive.h"
-#include "experiments/run_experiment/mesh_files.h"
+#include "experiments/run_experiment/config/archive.h"
+#include "experiments/run_experiment/run/mesh_files.h"
 #include "tests/common/temporary_folder.h"
 
 namespace cirque {

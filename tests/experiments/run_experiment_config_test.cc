@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/config.h"
-#include "experiments/run_experiment/schema.h"
+#include "experiments/run_experiment/config/config.h"
+#include "experiments/run_experiment/config/schema.h"
 #include "tests/common/paths.h"
 #include "tests/common/temporary_folder.h"
 

@@ -11,9 +11,9 @@
 #include "cirque/io/io.h"
 #include "cirque/metrics/measure_map.h"
 
-#include "experiments/run_experiment/config.h"
-#include "experiments/run_experiment/quantities.h"
-#include "experiments/run_experiment/runner.h"
+#include "experiments/run_experiment/config/config.h"
+#include "experiments/run_experiment/config/quantities.h"
+#include "experiments/run_experiment/run/runner.h"
 #include "tests/common/run_program.h"
 #include "tests/common/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/progress.h"
+#include "experiments/run_experiment/run/progress.h"
 
 namespace cirque {
 namespace {

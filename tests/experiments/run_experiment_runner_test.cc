@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/columns.h"
-#include "experiments/run_experiment/method_content.h"
-#include "experiments/run_experiment/runner.h"
+#include "experiments/run_experiment/results/columns.h"
+#include "experiments/run_experiment/results/method_content.h"
+#include "experiments/run_experiment/run/runner.h"
 #include "tests/common/temporary_folder.h"
 
 namespace cirque {

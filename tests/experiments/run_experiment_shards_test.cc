@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/results_log.h"
-#include "experiments/run_experiment/runner.h"
+#include "experiments/run_experiment/results/results_log.h"
+#include "experiments/run_experiment/run/runner.h"
 #include "tests/common/temporary_folder.h"
 
 namespace cirque {

@@ -7,8 +7,8 @@
 
 #include "cirque/io/io.h"
 
-#include "experiments/run_experiment/runner.h"
-#include "experiments/run_experiment/worker_pool.h"
+#include "experiments/run_experiment/run/runner.h"
+#include "experiments/run_experiment/run/worker_pool.h"
 #include "tests/common/paths.h"
 #include "tests/common/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/record.h"
+#include "experiments/run_experiment/results/record.h"
 #include "tests/common/paths.h"
 #include "tests/common/run_program.h"
 #include "tests/common/temporary_folder.h"

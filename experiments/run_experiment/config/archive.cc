@@ -1,0 +1,80 @@
+#include "experiments/run_experiment/config/archive.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+
+namespace cirque {
+namespace {
+
+constexpr std::size_t kBlockSize = 1 << 16;
+
+struct FreeArchive {
+  void operator()(::archive* handle) const { archive_read_free(handle); }
+};
+using ArchiveHandle = std::unique_ptr<::archive, FreeArchive>;
+
+Status Failure(const std::string& path, ::archive* handle) {
+  const char* reason = archive_error_string(handle);
+  return Status::InvalidInput(
+      fmt::format("{}: cannot be read as an archive: {}", path, reason ? reason : "unknown error"));
+}
+
+/// Tar, zip, 7z and their like first; a plainly compressed file counts as an archive of one member.
+StatusOr<ArchiveHandle> Open(const std::string& path) {
+  ArchiveHandle handle(archive_read_new());
+  archive_read_support_filter_all(handle.get());
+  archive_read_support_format_all(handle.get());
+  archive_read_support_format_raw(handle.get());
+  if (archive_read_open_filename(handle.get(), path.c_str(), kBlockSize) != ARCHIVE_OK) {
+    return Failure(path, handle.get());
+  }
+  return handle;
+}
+
+/// Moves to the header of the member.
+Status Seek(const std::string& path, const std::string& member, ::archive* handle) {
+  std::vector<std::string> known;
+  archive_entry* entry = nullptr;
+  int code = ARCHIVE_OK;
+  while ((code = archive_read_next_header(handle, &entry)) == ARCHIVE_OK || code == ARCHIVE_WARN) {
+    const char* name = archive_entry_pathname(entry);
+    if (name == nullptr) continue;
+    if (name == member) return Status();
+    known.push_back(name);
+  }
+  if (code != ARCHIVE_EOF) return Failure(path, handle);
+  const std::string nearest = NearestWord(member, known);
+  return Status::InvalidInput(
+      fmt::format("{} has no member '{}' among its {}{}", path, member, known.size(),
+                  nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+}
+
+}  // namespace
+
+StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member) {
+  StatusOr<ArchiveHandle> handle = Open(archive);
+  if (!handle.ok()) return handle.status();
+  if (Status status = Seek(archive, member, handle->get()); !status.ok()) return status;
+  std::string content;
+  std::vector<char> block(kBlockSize);
+  la_ssize_t size = 0;
+  while ((size = archive_read_data(handle->get(), block.data(), block.size())) > 0) {
+    content.append(block.data(), static_cast<std::size_t>(size));
+  }
+  if (size < 0) return Failure(archive, handle->get());
+  return content;
+}
+
+Status FindArchiveMember(const std::string& archive, const std::string& member) {
+  const StatusOr<ArchiveHandle> handle = Open(archive);
+  return handle.ok() ? Seek(archive, member, handle->get()) : handle.status();
+}
+
+}  // namespace cirque

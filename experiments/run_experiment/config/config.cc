@@ -1,0 +1,154 @@
+#include "experiments/run_experiment/config/config.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "experiments/run_experiment/config/cell_settings.h"
+#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/diagnostics.h"
+#include "experiments/run_experiment/config/figure_entries.h"
+#include "experiments/run_experiment/config/matrix.h"
+#include "experiments/run_experiment/config/mesh_entries.h"
+#include "experiments/run_experiment/config/method_entries.h"
+#include "experiments/run_experiment/config/scalars.h"
+#include "experiments/run_experiment/config/validate.h"
+
+namespace cirque {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beyond this, a list of values is more likely a slip than a study.
+constexpr double kMaxCells = 100000;
+
+/// The folder that holds configs/, or the config's own folder when it lies elsewhere.
+std::string RootOf(const std::string& path) {
+  const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
+  for (fs::path p = folder; p.has_relative_path(); p = p.parent_path()) {
+    if (p.filename() == "configs") return p.parent_path().string();
+  }
+  return folder.string();
+}
+
+/// The one document of the file, or nothing after reporting why.
+std::optional<YAML::Node> ParseYaml(const std::string& text, Diagnostics* problems) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() == 1 && !documents[0].IsNull()) return documents[0];
+    problems->Add({}, documents.size() > 1 ? "the file must hold one YAML document, without '---'"
+                                           : "the file is empty; see --help_config");
+  } catch (const YAML::Exception& error) {
+    problems->Add(PlaceOf(error.mark), "not valid YAML: " + error.msg);
+  }
+  return std::nullopt;
+}
+
+/// Counts combinations before anything is expanded, so that a slip cannot fill the memory.
+bool IsExpandable(const YAML::Node& document, Diagnostics* problems) {
+  bool expandable = true;
+  for (const char* list : {"meshes", "methods"}) {
+    const YAML::Node entries = document[list];
+    if (!entries || !entries.IsSequence()) continue;
+    for (const YAML::Node& entry : entries) {
+      if (!entry.IsMap()) continue;
+      const double count = CountCombinations(AxesOf(entry, ConfigSchema(), list));
+      if (count > kMaxCells) {
+        expandable = false;
+        problems->Add(PlaceOf(entry), fmt::format("this entry makes {} combinations; at most {} "
+                                                  "are allowed",
+                                                  count, kMaxCells));
+      }
+    }
+  }
+  return expandable;
+}
+
+std::string TextOr(const YAML::Node& document, const char* key, const std::string& otherwise) {
+  const YAML::Node value = document[key];
+  return value ? value.Scalar() : otherwise;
+}
+
+/// The list `seeds`, checked where it stands.
+std::vector<std::string> ReadSeeds(const YAML::Node& value, const YAML::Node& meshes,
+                                   Diagnostics* problems) {
+  if (!value) return {};
+  std::vector<std::string> seeds;
+  for (const YAML::Node& item : ItemsOf(value)) {
+    if (std::find(seeds.begin(), seeds.end(), item.Scalar()) != seeds.end()) {
+      problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
+      continue;
+    }
+    seeds.push_back(item.Scalar());
+  }
+  const bool some_generated =
+      meshes && meshes.IsSequence() &&
+      std::any_of(meshes.begin(), meshes.end(),
+                  [](const YAML::Node& entry) { return entry.IsMap() && entry["generator"]; });
+  if (!some_generated) {
+    problems->Add(PlaceOf(value),
+                  "'seeds' has a meaning for generated meshes only: nothing here is random");
+  }
+  return seeds;
+}
+
+void CheckCells(const ExperimentConfig& config, Diagnostics* problems) {
+  if (config.cells.empty()) {
+    problems->Add({}, "nothing to run: every mesh was skipped");
+  }
+  std::set<std::string> labels;
+  for (const Cell& cell : config.cells) {
+    if (!labels.insert(cell.Label()).second) {
+      problems->Add(
+          {}, fmt::format("two runs are called '{}'; is a value listed twice?", cell.Label()));
+    }
+  }
+}
+
+void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* config) {
+  const std::string root = RootOf(config->path);
+  const auto seeds = ReadSeeds(document["seeds"], document["meshes"], problems);
+  MeshEntries entries = ResolveMeshes(document["meshes"], root, seeds, problems);
+  if (!problems->empty()) return;
+  config->figures = ReadFigures(document["figures"], problems);
+  const std::vector<MethodSpec> methods = ReadMethods(document["methods"], problems);
+  const int repeats = static_cast<int>(*ParseInteger(TextOr(document, "repeats", "1")));
+  const double count = static_cast<double>(entries.meshes.size() * methods.size()) * repeats;
+  if (count > kMaxCells) {
+    return problems->Add({}, fmt::format("{} runs; at most {} are allowed", count, kMaxCells));
+  }
+  config->question = document["question"].Scalar();
+  config->notes = std::move(entries.notes);
+  config->cells = MakeCells(entries.meshes, methods, repeats);
+  const std::string output = TextOr(document, "output", "results/runs/" + config->name);
+  config->output = (fs::path(root) / output).lexically_normal().string();
+  if (problems->empty()) CheckCells(*config, problems);
+  if (problems->empty()) ApplyCellSettings(document, entries.some_skipped, problems, config);
+}
+
+}  // namespace
+
+StatusOr<ExperimentConfig> LoadConfig(const std::string& path) {
+  const StatusOr<std::string> text = ReadWholeFile(path);
+  if (!text.ok()) return text.status();
+  ExperimentConfig config;
+  config.path = path;
+  config.name = fs::path(path).stem().string();
+  config.hash = HashOf(*text);
+  Diagnostics problems(path, *text);
+  if (const std::optional<YAML::Node> document = ParseYaml(*text, &problems)) {
+    config.renamed = UseNewWords(*document, ConfigSchema(), problems);
+    Validate(*document, ConfigSchema(), &problems);
+    if (document->IsMap() && IsExpandable(*document, &problems)) {
+      Fill(*document, &problems, &config);
+    }
+  }
+  if (!problems.empty()) return Status::InvalidInput(problems.Text());
+  return config;
+}
+
+}  // namespace cirque

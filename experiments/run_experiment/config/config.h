@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cirque/core/status.h"
+
+#include "experiments/run_experiment/config/cells.h"
+
+namespace cirque {
+
+/// An experiment as its config file describes it, every reference resolved.
+struct ExperimentConfig {
+  std::string path;
+  std::string name;  ///< of the file, without folder and extension
+  std::string hash;  ///< of the file's content
+  std::string question;
+  std::vector<Cell> cells;
+  nlohmann::json figures = nlohmann::json::array();  ///< as ReadFigures makes them
+  std::string output;                                ///< absolute folder
+  std::vector<std::string> notes;                    ///< what was left out, and why
+  std::vector<std::string> renamed;                  ///< where words stand that are others now
+};
+
+/// Reads and checks a config. The message of a failure lists every problem as
+/// "file:line:column: ..." with the source line; nothing is written.
+StatusOr<ExperimentConfig> LoadConfig(const std::string& path);
+
+}  // namespace cirque

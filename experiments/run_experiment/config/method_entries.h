@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/diagnostics.h"
+
+namespace cirque {
+
+/// The methods of a config, which the schema has let pass, their lists of values expanded.
+/// Reported: two equal names, and a key that has no meaning for a domain of the entry.
+std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problems);
+
+}  // namespace cirque

@@ -1,0 +1,114 @@
+#include "experiments/run_experiment/config/quantities.h"
+
+#include <algorithm>
+
+#include <glog/logging.h>
+
+#include "cirque/metrics/measure_map.h"
+
+#include "experiments/run_experiment/config/method_fields.h"
+
+namespace cirque {
+namespace {
+
+/// What every run may tell, whatever the method and the measures.
+const std::vector<Quantity>& OwnQuantities() {
+  static const std::vector<Quantity> kTable = {
+      {"triangles", "/mesh/triangles", "triangles"},
+      {"vertices", "/mesh/vertices", "vertices"},
+      {"repeat", "/repeat", "repeat"},
+      {"seconds", "/seconds/total", "time [s]"},
+      {"seconds_triangulation", "/seconds/triangulation", "time of the flips [s]"},
+      {"seconds_angles", "/seconds/angles", "time of the angle fit [s]"},
+      {"seconds_radii", "/seconds/radii", "time of the log radii [s]"},
+      {"seconds_layout", "/seconds/layout", "time of the layout [s]"},
+      {"cpu_seconds", "/cpu_seconds", "CPU time [s]"},
+      {"map_cpu_seconds", "/map_cpu_seconds", "CPU time without reading the mesh [s]"},
+      {"reference_cpu_seconds", "/reference/cpu_seconds", "reference factorization [CPU s]"},
+      {"peak_memory_mib", "/peak_memory_mib", "peak memory [MiB]"},
+      {"flips", "/values/flips", "intrinsic flips"},
+      {"delaunay_rounds", "/values/delaunay_rounds", "rounds of flips"},
+      {"moved_vertices", "/values/moved_vertices", "vertices moved to right mirrored triangles"},
+      {"smallest_angle", "/values/smallest_angle", "smallest angle [rad]"},
+      {"smallest_theta", "/values/smallest_theta", "smallest intersection angle [rad]"},
+      {"angle_iterations", "/values/angle_iterations", "iterations of the angle fit"},
+      {"angle_factorizations", "/values/angle_factorizations", "factorizations of the angle fit"},
+      {"angle_cg_iterations", "/values/angle_cg_iterations", "CG steps of the angle fit"},
+      {"angle_gap", "/values/angle_gap", "duality gap of the angle fit"},
+      {"radii_iterations", "/values/radii_iterations", "iterations of the log radii"},
+      {"radii_factorizations", "/values/radii_factorizations", "factorizations of the log radii"},
+      {"radii_cg_iterations", "/values/radii_cg_iterations", "CG steps of the log radii"},
+      {"radii_gradient", "/values/radii_gradient", "gradient of the log radii [rad]"},
+      {"radii_gap", "/values/radii_gap", "duality gap of the log radii"},
+      {"log_radius_range", "/values/log_radius_range", "range of the log radii"},
+      {"flipped_triangles", "/values/flipped_triangles", "flipped triangles"},
+      {"cones", "/values/cones", "cones"},
+      {"seams", "/values/seams", "seams"},
+      {"edge_length", "/values/edge_length", "edge length over diameter"},
+      {"known_map_rms_error", "/values/known_map_rms_error", "rms distance from the known map"},
+      {"known_map_max_error", "/values/known_map_max_error", "distance from the known map"},
+  };
+  return kTable;
+}
+
+/// A name as people write it.
+std::string Spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::vector<Quantity> MakeQuantities() {
+  std::vector<Quantity> table = OwnQuantities();
+  for (const std::string& figure : FigureNames()) {
+    table.push_back({figure, "/values/" + figure, Spaced(figure)});
+  }
+  for (const MethodField& field : MethodFields()) {
+    if (!std::holds_alternative<std::string ParameterizeOptions::*>(field.member)) {
+      table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
+    }
+  }
+  return table;
+}
+
+std::vector<Quantity> MakeGroups() {
+  std::vector<Quantity> table = {{"mesh", "/mesh/name", "mesh"},
+                                 {"mesh_family", "/mesh/family", "mesh"},
+                                 {"method", "/method/name", "method"},
+                                 {"domain", "/method/domain", "domain"},
+                                 {"overlap", "/overlap", "overlap"}};
+  for (const MethodField& field : MethodFields()) {
+    table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
+  }
+  return table;
+}
+
+std::vector<std::string> NamesOf(const std::vector<Quantity>& table) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : table) names.push_back(quantity.name);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<Quantity>& Quantities() {
+  static const std::vector<Quantity> table = MakeQuantities();
+  return table;
+}
+
+std::vector<std::string> QuantityNames() { return NamesOf(Quantities()); }
+
+const std::vector<Quantity>& Groups() {
+  static const std::vector<Quantity> table = MakeGroups();
+  return table;
+}
+
+std::vector<std::string> GroupNames() { return NamesOf(Groups()); }
+
+const Quantity& FindQuantity(const std::vector<Quantity>& table, const std::string& name) {
+  const auto match = std::find_if(table.begin(), table.end(),
+                                  [&](const Quantity& quantity) { return quantity.name == name; });
+  CHECK(match != table.end()) << name;
+  return *match;
+}
+
+}  // namespace cirque

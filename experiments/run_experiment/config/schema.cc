@@ -1,0 +1,267 @@
+#include "experiments/run_experiment/config/schema.h"
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/domains/registry.h"
+#include "cirque/generators/generators.h"
+#include "cirque/metrics/measure_map.h"
+
+#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/method_fields.h"
+#include "experiments/run_experiment/config/quantities.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kMaxSeed = 4294967295.0;
+constexpr double kMaxSubdivisions = 12;  // 16 million times as many triangles
+
+FieldKind KindOf(const MethodField& field) {
+  constexpr FieldKind kKinds[] = {FieldKind::kText, FieldKind::kNumber, FieldKind::kInteger};
+  return kKinds[field.member.index()];
+}
+
+std::string DefaultOf(const MethodField& field) {
+  const nlohmann::json value = FieldValue(field, ParameterizeOptions());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+SchemaField ForMethod(const MethodField& field) {
+  const bool is_text = KindOf(field) == FieldKind::kText;
+  SchemaField row{.path = "methods." + field.name,
+                  .kind = KindOf(field),
+                  .help = field.help,
+                  .default_text = DefaultOf(field),
+                  .matrix = true,
+                  .choices = field.choices,
+                  .former = field.former};
+  if (!is_text) {
+    row.minimum = field.minimum;
+    row.maximum = field.maximum;
+  }
+  return row;
+}
+
+/// The entries of `meshes`.
+Schema MeshFields() {
+  using enum FieldKind;
+  const GeneratorOptions generator;
+  return {
+      {.path = "meshes.file",
+       .help = "a mesh file or a pattern such as ../meshes/*.obj",
+       .one_of = "source"},
+      {.path = "meshes.archive",
+       .help = "an archive (tar.gz, zip, ...) or compressed file that holds the mesh",
+       .one_of = "source",
+       .brings = "member"},
+      {.path = "meshes.member",
+       .help = "the mesh file's name inside the archive",
+       .beside = {"archive"}},
+      {.path = "meshes.generator",
+       .help = "the name of a mesh generator",
+       .choices = MeshGenerators().Names(),
+       .one_of = "source"},
+      {.path = "meshes.triangles",
+       .kind = kInteger,
+       .help = "about how many the generator makes",
+       .default_text = fmt::to_string(generator.triangles),
+       .matrix = true,
+       .minimum = 1,
+       .maximum = 1e8,
+       .beside = {"generator"}},
+      {.path = "meshes.seed",
+       .kind = kInteger,
+       .help = "of the generator's irregular vertex positions",
+       .default_text = fmt::to_string(generator.seed),
+       .matrix = true,
+       .minimum = 0,
+       .maximum = kMaxSeed,
+       .beside = {"generator"}},
+      {.path = "meshes.boundary",
+       .help = "its angles: free, or fixed to those of the generator's known conformal map",
+       .default_text = "free",
+       .matrix = true,
+       .choices = {"free", "known_map"},
+       .beside = {"generator"}},
+      {.path = "meshes.subdivisions",
+       .kind = kInteger,
+       .help = "how often every triangle is split into four at the midpoints of its edges",
+       .default_text = "0",
+       .matrix = true,
+       .minimum = 0,
+       .maximum = kMaxSubdivisions},
+      {.path = "meshes.name", .help = "its name in tables, if not the file's or the generator's"},
+      {.path = "meshes.optional",
+       .kind = kBoolean,
+       .help = "whether the mesh is skipped where its file does not exist",
+       .default_text = "false",
+       .beside = {"file", "archive"}},
+  };
+}
+
+/// The entries of `methods`.
+Schema MethodSchema() {
+  Schema schema = {{.path = "methods.name", .help = "its name in tables", .required = true},
+                   {.path = "methods.domain",
+                    .help = "what surfaces are mapped to; vertices that a shape needs are chosen",
+                    .default_text = MethodSpec().domain,
+                    .matrix = true,
+                    .choices = Domains().Names()}};
+  for (const MethodField& field : MethodFields()) schema.push_back(ForMethod(field));
+  return schema;
+}
+
+/// Which runs are made, within what limits, and what is kept of them.
+Schema RunFields() {
+  using enum FieldKind;
+  return {
+      {.path = "repeats",
+       .kind = kInteger,
+       .help = "how often every mesh meets every method",
+       .default_text = "1",
+       .minimum = 1,
+       .maximum = 1000},
+      {.path = "seeds",
+       .kind = kInteger,
+       .help = "generated meshes are made with each of these seeds: runs that differ by what is "
+               "random, the places of the vertices",
+       .list = true,
+       .minimum = 0,
+       .maximum = kMaxSeed},
+      {.path = "include",
+       .help = "makes only the runs named MESH/METHOD by one of these patterns (* ? [...])",
+       .default_text = "*",
+       .list = true},
+      {.path = "exclude", .help = "leaves out the runs named by one of these", .list = true},
+      {.path = "time_limit",
+       .kind = kNumber,
+       .help = "wall time [s] after which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1e-3,
+       .maximum = 1e7},
+      {.path = "memory_limit",
+       .kind = kNumber,
+       .help = "resident memory [MiB] at which a run is ended; raised, it is made again",
+       .default_text = "none",
+       .minimum = 1,
+       .maximum = 1e8},
+      {.path = "keep_maps",
+       .help = "writes maps/KEY.obj, the mesh with its map: true, false or names of runs as above",
+       .default_text = "false",
+       .list = true},
+      {.path = "reference",
+       .kind = kBoolean,
+       .help = "whether every run also times one factorization of its mesh's cotangent Laplacian",
+       .default_text = "false"},
+      {.path = "measures",
+       .help = "further figures of every map: columns of the results",
+       .list = true,
+       .choices = FigureNames()},
+      {.path = "output",
+       .help = "the folder of the results",
+       .default_text = "results/runs/NAME-OF-THE-CONFIG"},
+  };
+}
+
+std::map<std::string, std::string> FormerGroups() {
+  std::map<std::string, std::string> former;
+  for (const MethodField& field : MethodFields()) {
+    for (const std::string& name : field.former) former[name] = field.name;
+  }
+  return former;
+}
+
+/// The entries of `figures`.
+Schema FigureFields() {
+  return {
+      {.path = "figures.kind",
+       .help = "points, lines through the medians of runs with equal x, or bars that count runs",
+       .default_text = "scatter",
+       .choices = {"scatter", "lines", "histogram"}},
+      {.path = "figures.x",
+       .help = "what is shown from left to right",
+       .required = true,
+       .choices = QuantityNames()},
+      {.path = "figures.y",
+       .help = "what is shown upwards; a histogram has none",
+       .choices = QuantityNames()},
+      {.path = "figures.by",
+       .help = "the runs of one colour have this in common",
+       .default_text = "method",
+       .choices = GroupNames(),
+       .former_choices = FormerGroups()},
+      {.path = "figures.scale",
+       .help = "of the axes: both linear, both logarithmic, or one of them",
+       .default_text = "linear",
+       .choices = {"linear", "log", "log_x", "log_y"}},
+      {.path = "figures.title", .help = "above the figure", .default_text = "from x, y and by"},
+  };
+}
+
+Schema MakeSchema() {
+  using enum FieldKind;
+  Schema schema = {
+      {.path = "question", .help = "what the experiment asks, in one sentence", .required = true}};
+  const auto add = [&](const Schema& fields) {
+    schema.insert(schema.end(), fields.begin(), fields.end());
+  };
+  add({{.path = "meshes", .kind = kSections, .help = "the surfaces", .required = true}});
+  add(MeshFields());
+  add({{.path = "methods",
+        .kind = kSections,
+        .help = "how each surface is parameterized",
+        .required = true}});
+  add(MethodSchema());
+  add(RunFields());
+  add({{.path = "figures",
+        .kind = kSections,
+        .help = "what the report draws of these runs, before the figures that it always has"}});
+  add(FigureFields());
+  return schema;
+}
+
+std::string Range(const SchemaField& field) {
+  return fmt::format("{} from {} to {}",
+                     field.kind == FieldKind::kInteger ? "a whole number" : "a number",
+                     field.minimum, field.maximum);
+}
+
+}  // namespace
+
+std::string SchemaField::Key() const { return path.substr(path.rfind('.') + 1); }
+
+std::string SchemaField::Parent() const {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot);
+}
+
+const Schema& ConfigSchema() {
+  static const Schema schema = MakeSchema();
+  return schema;
+}
+
+std::vector<const SchemaField*> FieldsOf(const Schema& schema, const std::string& path) {
+  std::vector<const SchemaField*> fields;
+  for (const SchemaField& field : schema) {
+    if (field.Parent() == path) fields.push_back(&field);
+  }
+  return fields;
+}
+
+std::string Expectation(const SchemaField& field) {
+  switch (field.kind) {
+    case FieldKind::kText:
+      return field.choices.empty() ? "a text" : "one of " + Join(field.choices);
+    case FieldKind::kInteger:
+    case FieldKind::kNumber:
+      return Range(field);
+    case FieldKind::kBoolean:
+      return "true or false";
+    case FieldKind::kSections:
+      return "a list of entries";
+  }
+  return {};
+}
+
+}  // namespace cirque

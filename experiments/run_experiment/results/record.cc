@@ -1,0 +1,127 @@
+#include "experiments/run_experiment/results/record.h"
+
+#include <cmath>
+#include <map>
+
+#include "cirque/core/status.h"
+
+#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/method_fields.h"
+
+namespace cirque {
+namespace {
+
+nlohmann::json NumbersJson(const std::map<std::string, double>& numbers) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [name, value] : numbers) {
+    json[name] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+  }
+  return json;
+}
+
+nlohmann::json HistoryJson(const std::map<std::string, std::vector<double>>& history) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [stage, gradients] : history) {
+    json[stage] = nlohmann::json::array();
+    for (const double gradient : gradients) {
+      json[stage].push_back(std::isfinite(gradient) ? nlohmann::json(gradient) : nlohmann::json());
+    }
+  }
+  return json;
+}
+
+/// Only the limits there are.
+nlohmann::json LimitsJson(const RunLimits& limits) {
+  nlohmann::json json = nlohmann::json::object();
+  if (limits.seconds > 0) json["seconds"] = limits.seconds;
+  if (limits.memory_mib > 0) json["memory_mib"] = limits.memory_mib;
+  return json;
+}
+
+/// Whether a limit is higher than the one that the record tells of; 0 is none.
+bool IsRaised(const Record& record, const char* name, double limit) {
+  const auto limits = record.value("limits", nlohmann::json::object());
+  return limit == 0 || limit > limits.value(name, 0.0);
+}
+
+}  // namespace
+
+nlohmann::json MethodJson(const MethodSpec& method) {
+  nlohmann::json json = {{"name", method.name}, {"domain", method.domain}};
+  for (const MethodField& field : MethodFields()) {
+    json[field.name] = FieldValue(field, method.options);
+  }
+  return json;
+}
+
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
+                   const std::string& code_version) {
+  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+                                  {"mesh_hash", mesh_hash},
+                                  {"method", method},
+                                  {"repeat", cell.repeat},
+                                  {"code", code_version}};
+  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
+  if (cell.mesh.subdivisions > 0) determined_by["subdivisions"] = cell.mesh.subdivisions;
+  if (cell.reference) determined_by["reference"] = true;
+  return HashOf(ToLine(determined_by));
+}
+
+Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+                  const RunResult& result, const nlohmann::json& provenance) {
+  Record record = {
+      {"key", key},
+      {"mesh",
+       {{"name", cell.mesh.name},
+        {"family", cell.mesh.family},
+        {"source", cell.mesh.Source()},
+        {"hash", mesh.hash},
+        {"vertices", result.vertices},
+        {"triangles", result.triangles}}},
+      {"method", MethodJson(cell.method)},
+      {"repeat", cell.repeat},
+      {"outcome", result.certificate.outcome},
+      {"message", result.certificate.message},
+      {"overlap", result.certificate.overlap},
+      {"values", NumbersJson(result.certificate.values)},
+      {"seconds", NumbersJson(result.certificate.seconds)},
+      {"provenance", provenance},
+  };
+  if (!cell.measures.empty()) record["measures"] = cell.measures;
+  if (result.cpu_seconds > 0) {
+    record["cpu_seconds"] = result.cpu_seconds;
+    record["map_cpu_seconds"] = result.map_cpu_seconds;
+  }
+  if (result.peak_memory_mib > 0) record["peak_memory_mib"] = result.peak_memory_mib;
+  if (cell.reference && result.reference.seconds > 0) {
+    record["reference"] = {{"seconds", result.reference.seconds},
+                           {"cpu_seconds", result.reference.cpu_seconds}};
+  }
+  if (!result.certificate.history.empty()) {
+    record["history"] = HistoryJson(result.certificate.history);
+  }
+  if (const auto limits = LimitsJson(cell.limits); !limits.empty()) record["limits"] = limits;
+  // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
+  return Record::parse(ToLine(record));
+}
+
+std::string ToLine(const Record& record) {
+  return record.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string OutcomeOf(const Record& record) { return record.value("outcome", ""); }
+
+bool IsFinished(const Record& record, const Cell& cell) {
+  const std::string outcome = OutcomeOf(record);
+  if (outcome == kTimeLimit) return !IsRaised(record, "seconds", cell.limits.seconds);
+  if (outcome == kMemoryLimit) return !IsRaised(record, "memory_mib", cell.limits.memory_mib);
+  if (outcome == ToString(StatusCode::kOk) && cell.keep_map) return record.contains("map");
+  return outcome != ToString(StatusCode::kCancelled);
+}
+
+bool IsSettled(const Record& record) {
+  const std::string outcome = OutcomeOf(record);
+  return outcome == ToString(StatusCode::kOk) || outcome == ToString(StatusCode::kInfeasible);
+}
+
+}  // namespace cirque

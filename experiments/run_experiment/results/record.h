@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/run_experiment/run/mesh_files.h"
+#include "experiments/run_experiment/run/run_cell.h"
+
+namespace cirque {
+
+/// Outcomes beside those of StatusCode: the run threw, its process ended without a record, or it
+/// was ended at a limit.
+inline constexpr char kException[] = "exception", kCrash[] = "crash", kTimeLimit[] = "time_limit",
+                      kMemoryLimit[] = "memory_limit";
+
+/// One run as one self-contained object of results.jsonl.
+using Record = nlohmann::json;
+
+/// The cell's method with every option, as records and keys hold it.
+nlohmann::json MethodJson(const MethodSpec& method);
+
+/// Names a run by all that determines it: cell, content of the mesh, method as of MethodByContent,
+/// code.
+std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
+                   const std::string& code_version);
+
+/// Numbers that a run did not come to are null.
+Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+                  const RunResult& result, const nlohmann::json& provenance);
+
+/// One line, whatever bytes the messages hold.
+std::string ToLine(const Record& record);
+
+std::string OutcomeOf(const Record& record);
+
+/// Whether the run need not be made again: it was not cancelled, was not ended by a lower limit
+/// than the cell's, and left its map where the cell keeps it.
+bool IsFinished(const Record& record, const Cell& cell);
+
+/// Whether the run ended as it should: in a map, or in the proof that there is none.
+bool IsSettled(const Record& record);
+
+}  // namespace cirque

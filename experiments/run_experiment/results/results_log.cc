@@ -1,0 +1,141 @@
+#include "experiments/run_experiment/results/results_log.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "cirque/core/atomic_file.h"
+
+#include "experiments/run_experiment/config/content_hash.h"
+
+namespace cirque {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsRecord(const Record& json) {
+  return json.is_object() && json.contains("key") && json["key"].is_string() &&
+         json.contains("outcome") && json["outcome"].is_string();
+}
+
+/// ISO 8601 in UTC, which texts compare as times do.
+std::string StartOf(const Record& record) {
+  const nlohmann::json::json_pointer pointer("/provenance/started");
+  const bool is_known = record.contains(pointer) && record.at(pointer).is_string();
+  return is_known ? record.at(pointer).get<std::string>() : "";
+}
+
+/// results.jsonl, if it exists, before the shards'.
+std::vector<std::string> ResultFiles(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const bool is_ours = name == Shard().FileName() || name.starts_with("results.shard-");
+    if (is_ours && name.ends_with(".jsonl")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class AppendOnlyFile {
+ public:
+  explicit AppendOnlyFile(const std::string& path)
+      : descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {}
+  AppendOnlyFile(const AppendOnlyFile&) = delete;
+  AppendOnlyFile& operator=(const AppendOnlyFile&) = delete;
+  ~AppendOnlyFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+
+  /// One write call, so that records of several processes do not mix.
+  bool Write(const std::string& text) const {
+    return descriptor_ >= 0 &&
+           write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+           fdatasync(descriptor_) == 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+StatusOr<ResultsLog> ResultsLog::Open(const std::string& folder, const Shard& shard) {
+  const fs::path own = fs::path(folder) / shard.FileName();
+  StatusOr<FileLock> lock = FileLock::Take((fs::path(folder) / ("." + shard.FileName() + ".lock")));
+  if (!lock.ok()) return lock.status();
+  ResultsLog log(own.string(), *std::move(lock));
+  const std::vector<std::string> files = ResultFiles(folder);
+  for (const std::string& file : files) {
+    if (Status status = log.Read(file); !status.ok()) return status;
+    log.has_shards_ = log.has_shards_ || fs::path(file).filename() != Shard().FileName();
+  }
+  return log;
+}
+
+Status ResultsLog::Read(const std::string& path) {
+  const StatusOr<std::string> text = ReadWholeFile(path);
+  if (!text.ok()) return text.status();
+  if (path == path_) ends_torn_ = !text->empty() && text->back() != '\n';
+  std::istringstream stream(*text);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.empty()) continue;
+    Record record = Record::parse(line, nullptr, false);
+    if (IsRecord(record)) {
+      Keep(std::move(record));
+    } else {
+      ++skipped_lines_;
+    }
+  }
+  return Status();
+}
+
+const Record* ResultsLog::Find(const std::string& key) const {
+  const auto found = last_.find(key);
+  return found == last_.end() ? nullptr : &records_[found->second];
+}
+
+Status ResultsLog::Append(const Record& record) {
+  // A torn last line is sealed first: it stays unreadable, the new one does not join it.
+  const std::string line = fmt::format("{}{}\n", ends_torn_ ? "\n" : "", ToLine(record));
+  if (!AppendOnlyFile(path_).Write(line)) {
+    return Status::InvalidInput(fmt::format("{}: cannot append: {}", path_, std::strerror(errno)));
+  }
+  ends_torn_ = false;
+  Keep(record);
+  return Status();
+}
+
+std::vector<Record> ResultsLog::Records() const {
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    if (last_.at(records_[i]["key"].get<std::string>()) == i) records.push_back(records_[i]);
+  }
+  return records;
+}
+
+Status ResultsLog::Merge() {
+  if (!has_shards_) return Status();
+  std::string lines;
+  for (const Record& record : Records()) lines += ToLine(record) + "\n";
+  ends_torn_ = false;
+  return WriteFileAtomically(path_, lines);
+}
+
+void ResultsLog::Keep(Record record) {
+  const std::string key = record["key"];
+  const auto last = last_.find(key);
+  // Of two files the one read later need not be the later one.
+  if (last != last_.end() && StartOf(records_[last->second]) > StartOf(record)) return;
+  last_[key] = records_.size();
+  records_.push_back(std::move(record));
+}
+
+}  // namespace cirque

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cirque/core/status.h"
+
+#include "experiments/run_experiment/config/shard.h"
+#include "experiments/run_experiment/results/file_lock.h"
+#include "experiments/run_experiment/results/record.h"
+
+namespace cirque {
+
+/// The records of a folder of results: append-only files, one JSON object a line, one file for each
+/// shard and results.jsonl for all. Every file is read, only the own one is written, by one process
+/// at a time. A record is on disk when Append returns, so that no end of the process loses one.
+class ResultsLog {
+ public:
+  /// Reads what is there. Lines that are not whole records (the last one may be torn) are counted
+  /// and otherwise passed over; of two records with one key the later holds.
+  /// @pre the folder exists.
+  static StatusOr<ResultsLog> Open(const std::string& folder, const Shard& shard);
+
+  /// The last record with that key, or nullptr.
+  const Record* Find(const std::string& key) const;
+
+  Status Append(const Record& record);
+
+  /// Takes the shards' records, if there are any, into results.jsonl, which is replaced whole. The
+  /// shards' files stay: they may be written at this moment. @pre opened for no shard.
+  Status Merge();
+
+  /// All records in the order of their last lines.
+  std::vector<Record> Records() const;
+  int skipped_lines() const { return skipped_lines_; }
+
+ private:
+  ResultsLog(std::string path, FileLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
+
+  Status Read(const std::string& path);
+  void Keep(Record record);
+
+  std::string path_;
+  FileLock lock_;
+  std::vector<Record> records_;
+  std::map<std::string, std::size_t> last_;  ///< key -> its position in records_
+  int skipped_lines_ = 0;
+  bool ends_torn_ = false;  ///< the own file
+  bool has_shards_ = false;
+};
+
+}  // namespace cirque

@@ -1,0 +1,80 @@
+#include <exception>
+
+#include "experiments/run_experiment/config/method_fields.h"
+#include "experiments/run_experiment/run/job.h"
+
+namespace cirque {
+namespace {
+
+// CBOR rather than JSON text: file names need not be UTF-8. Every member is bound by name, so that
+// one more does not compile until it is sent along.
+
+nlohmann::json MeshToJson(const MeshSpec& mesh) {
+  const auto& [name, file, archive, member, generator, options, known_boundary, family,
+               subdivisions] = mesh;
+  const auto& [triangles, seed] = options;
+  return {{"name", name},           {"file", file},
+          {"archive", archive},     {"member", member},
+          {"generator", generator}, {"triangles", triangles},
+          {"seed", seed},           {"known_boundary", known_boundary},
+          {"family", family},       {"subdivisions", subdivisions}};
+}
+
+MeshSpec MeshFromJson(const nlohmann::json& json) {
+  return {json.at("name"),           json.at("file"),      json.at("archive"),
+          json.at("member"),         json.at("generator"), {json.at("triangles"), json.at("seed")},
+          json.at("known_boundary"), json.at("family"),    json.at("subdivisions")};
+}
+
+MethodSpec MethodFromJson(const nlohmann::json& json) {
+  MethodSpec method{json.at("name"), {}, json.at("domain")};
+  for (const MethodField& field : MethodFields()) {
+    const nlohmann::json& value = json.at(field.name);
+    SetField(field, value.is_string() ? value.get<std::string>() : value.dump(), &method.options);
+  }
+  return method;
+}
+
+nlohmann::json CellToJson(const Cell& cell) {
+  const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = cell;
+  const auto& [seconds, memory_mib] = limits;
+  return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
+          {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
+          {"keep_map", keep_map},     {"reference", reference}};
+}
+
+Cell CellFromJson(const nlohmann::json& json) {
+  return {MeshFromJson(json.at("mesh")),
+          MethodFromJson(json.at("method")),
+          json.at("repeat"),
+          json.at("measures"),
+          {json.at("seconds"), json.at("memory_mib")},
+          json.at("keep_map"),
+          json.at("reference")};
+}
+
+}  // namespace
+
+std::string PackJob(const Job& job) {
+  const nlohmann::json json = {{"key", job.key},        {"cell", CellToJson(job.cell)},
+                               {"path", job.mesh.path}, {"hash", job.mesh.hash},
+                               {"folder", job.folder},  {"provenance", job.provenance}};
+  std::string bytes;
+  nlohmann::json::to_cbor(json, bytes);
+  return bytes;
+}
+
+StatusOr<Job> UnpackJob(const std::string& bytes) {
+  try {
+    const nlohmann::json json = nlohmann::json::from_cbor(bytes);
+    return Job{json.at("key"),
+               CellFromJson(json.at("cell")),
+               {json.at("path"), json.at("hash")},
+               json.at("folder"),
+               json.at("provenance")};
+  } catch (const std::exception& error) {
+    return Status::InvalidInput(std::string("not a job of run_experiment: ") + error.what());
+  }
+}
+
+}  // namespace cirque

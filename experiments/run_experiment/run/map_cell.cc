@@ -1,0 +1,86 @@
+#include "experiments/run_experiment/run/map_cell.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cirque/domains/domain.h"
+#include "cirque/metrics/measure_map.h"
+#include "cirque/metrics/spherical.h"
+
+#include "experiments/common/sphere_files.h"
+#include "experiments/run_experiment/run/known_map.h"
+
+namespace cirque {
+namespace {
+
+constexpr char kPlane[] = "plane";
+
+/// Measures of a map as a whole: faces each in a plane of their own have none.
+constexpr std::array kOfOnePlane = {"overlap_area",  "covered_twice_area", "cut_length",
+                                    "flipped_share", "resolution",         "resolution_unit_area"};
+
+bool IsOfOnePlane(const std::string& measure) {
+  return std::find(kOfOnePlane.begin(), kOfOnePlane.end(), measure) != kOfOnePlane.end();
+}
+
+/// The certificate of the map in place of what the result has, whose times it takes over.
+void TakeCertificate(Certificate certificate, RunResult* result) {
+  certificate.seconds.merge(result->certificate.seconds);
+  result->certificate = std::move(certificate);
+}
+
+Status AddMeasures(std::vector<std::string> measures, const Surface& surface, const SurfaceMap& map,
+                   RunResult* result) {
+  if (map.IsOnSphere()) std::erase_if(measures, IsOfOnePlane);
+  if (measures.empty()) return Status();
+  const Triangulation& t = surface.triangulation;
+  auto figures = MeasureFigures(
+      t, MeasureEdgeLengths(surface),
+      map.IsOnSphere() ? FacesInPlane(t, ChordLengths(t, map.position)) : map.uv, measures);
+  if (!figures.ok()) return figures.status();
+  result->certificate.values.merge(*figures);
+  return Status();
+}
+
+StatusOr<MapRequest> RequestOf(const Cell& cell, const Surface& surface) {
+  MapRequest request;
+  request.domain = cell.method.domain;
+  request.options = cell.method.options;
+  if (request.domain != kPlane || !cell.mesh.known_boundary) return request;
+  StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
+  if (!targets.ok()) return targets.status();
+  request.targets = *std::move(targets);
+  return request;
+}
+
+/// A closed surface's known map has periods: it is known up to more than a similarity. Midpoints
+/// do not lie on the smooth surface.
+bool HasKnownImage(const Cell& cell, const Surface& surface) {
+  return cell.method.domain == kPlane && cell.mesh.subdivisions == 0 &&
+         !BoundaryLoops(surface.triangulation).empty();
+}
+
+}  // namespace
+
+Status MapCell(const Cell& cell, const PolygonSoup& soup, const Surface& surface,
+               RunResult* result) {
+  const StatusOr<MapRequest> request = RequestOf(cell, surface);
+  if (!request.ok()) return request.status();
+  Certificate failed;
+  StatusOr<SurfaceMap> map = MapSurface(surface, *request, SolveControl(), &failed);
+  TakeCertificate(std::move(map.ok() ? map->certificate : failed), result);
+  if (!map.ok()) return map.status();
+  if (HasKnownImage(cell, surface)) {
+    result->certificate.values.merge(KnownMapErrors(cell.mesh, surface, map->uv));
+  }
+  if (cell.keep_map) {
+    result->map = map->IsOnSphere() ? SphereMesh(soup, surface, map->position)
+                                    : AttachUv(soup, surface, map->uv);
+  }
+  return AddMeasures(cell.measures, surface, *map, result);
+}
+
+}  // namespace cirque

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cirque/core/types.h"
+#include "cirque/io/polygon_soup.h"
+#include "cirque/pipeline/certificate.h"
+
+#include "experiments/common/reference_factorization.h"
+#include "experiments/run_experiment/config/cells.h"
+
+namespace cirque {
+
+/// What a run leaves behind. The certificate's outcome and message are always set.
+struct RunResult {
+  Index vertices = 0, triangles = 0;  ///< of the mesh; 0 when it could not be read
+  Certificate certificate;
+  /// The mesh with its map, where the cell keeps it and there is one; of a map to the sphere the
+  /// mesh with its points there.
+  PolygonSoup map = {};
+  double seconds = 0;          ///< wall time, the reference left out; 0: until this is returned
+  double cpu_seconds = 0;      ///< of this process, the reference left out
+  double map_cpu_seconds = 0;  ///< the part of it after reading and making the surface
+  double peak_memory_mib = 0;  ///< of this process until the run's end; 0: not known
+  ReferenceFactorization reference = {};  ///< the fastest of three, where the cell asks for it
+};
+
+/// Carries out one run; `mesh_path` is the mesh's file, empty for a generated mesh.
+using RunCell = std::function<RunResult(const Cell& cell, const std::string& mesh_path)>;
+
+/// The real one: read or generate, preflight, subdivide, map to the domain, measure; then the
+/// reference.
+RunResult ParameterizeCell(const Cell& cell, const std::string& mesh_path);
+
+}  // namespace cirque

@@ -1,0 +1,103 @@
+#include "experiments/run_experiment/run/worker_pool.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace cirque {
+namespace {
+
+constexpr std::chrono::milliseconds kPause(3);
+/// Who kills a cluster's job kills all its processes, one after the other: ours is given the time
+/// to be next, before the end of a run is called a crash of its own.
+constexpr std::chrono::milliseconds kNextToBeKilled(300);
+constexpr std::size_t kLastWords = 500;  ///< of a crashed run, in its record
+
+std::string LastWords(const std::string& errors) {
+  const std::size_t end = errors.find_last_not_of(" \n");
+  if (end == std::string::npos) return "";
+  const std::string text = errors.substr(0, end + 1);
+  return "; it said: " + text.substr(text.size() > kLastWords ? text.size() - kLastWords : 0);
+}
+
+std::optional<std::string> ExceededLimit(const RunLimits& limits, double seconds, double mib) {
+  if (limits.seconds > 0 && seconds > limits.seconds) return kTimeLimit;
+  if (limits.memory_mib > 0 && mib > limits.memory_mib) return kMemoryLimit;
+  return std::nullopt;
+}
+
+std::string LimitMessage(const std::string& outcome, const RunLimits& limits, double mib) {
+  if (outcome == kTimeLimit) return fmt::format("ended at its limit of {} s", limits.seconds);
+  return fmt::format("ended at {:.0f} MiB, its limit is {} MiB", mib, limits.memory_mib);
+}
+
+Record LimitRecord(const Job& job, const std::string& outcome, double seconds, double mib) {
+  Record record = FailedRecord(job, outcome, LimitMessage(outcome, job.cell.limits, mib), seconds);
+  record["peak_memory_mib"] = mib;
+  return record;
+}
+
+Record CrashRecord(const Job& job, const ChildProcess& process) {
+  if (process.WasKilled()) std::this_thread::sleep_for(kNextToBeKilled);
+  const std::string message = fmt::format("the run's process ended by {} without a record{}",
+                                          process.HowItEnded(), LastWords(process.Errors()));
+  return FailedRecord(job, kCrash, message, process.Seconds());
+}
+
+Record RecordOf(const Job& job, const ChildProcess& process) {
+  Record record = Record::parse(process.Output(), nullptr, false);
+  const bool is_whole = process.Succeeded() && record.is_object() && record.contains("outcome") &&
+                        record.contains("key") && record["key"] == job.key;
+  if (!is_whole) return CrashRecord(job, process);
+  // The last moments of a run can pass between two looks at it.
+  const double mib = record.value("peak_memory_mib", 0.0);
+  if (!ExceededLimit({0, job.cell.limits.memory_mib}, 0, mib)) return record;
+  return LimitRecord(job, kMemoryLimit, process.Seconds(), mib);
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(int size, std::vector<std::string> worker)
+    : size_(size), worker_(std::move(worker)) {}
+
+Status WorkerPool::Start(Job job) {
+  StatusOr<ChildProcess> process = ChildProcess::Start(worker_, PackJob(job));
+  if (!process.ok()) return process.status();
+  active_.push_back({std::move(job), *std::move(process)});
+  return Status();
+}
+
+std::vector<EndedRun> WorkerPool::TakeEnded() {
+  std::vector<EndedRun> ended = LookOnce();
+  if (ended.empty()) std::this_thread::sleep_for(kPause);
+  return ended;
+}
+
+std::vector<EndedRun> WorkerPool::LookOnce() {
+  std::vector<EndedRun> ended;
+  for (auto run = active_.begin(); run != active_.end();) {
+    const RunLimits& limits = run->job.cell.limits;
+    run->peak_mib = std::max(run->peak_mib, run->process.ResidentMib());
+    const double seconds = run->process.Seconds();
+    std::optional<Record> record;
+    if (run->process.HasEnded()) {
+      record = RecordOf(run->job, run->process);
+    } else if (const auto outcome = ExceededLimit(limits, seconds, run->peak_mib)) {
+      run->process.Kill();
+      record = LimitRecord(run->job, *outcome, seconds, run->peak_mib);
+    }
+    if (!record) {
+      ++run;
+      continue;
+    }
+    ended.push_back({run->job.cell.Label(), *std::move(record)});
+    run = active_.erase(run);
+  }
+  return ended;
+}
+
+}  // namespace cirque
