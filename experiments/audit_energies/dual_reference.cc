@@ -6,7 +6,7 @@
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/angle_objective.h"
 
-#include "experiments/audit_energies/references.h"
+#include "experiments/audit_energies/samples.h"
 
 namespace cirque::audit_energies {
 namespace {

@@ -1,5 +1,3 @@
-#include "experiments/audit_energies/inputs.h"
-
 #include <cmath>
 #include <utility>
 
@@ -8,6 +6,8 @@
 #include "cirque/generators/generators.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/preflight.h"
+
+#include "experiments/audit_energies/samples.h"
 
 namespace cirque::audit_energies {
 

@@ -8,7 +8,7 @@
 
 #include "cirque/core/atomic_file.h"
 
-#include "experiments/audit_energies/report.h"
+#include "experiments/audit_energies/audit.h"
 #include "experiments/common/flag_parsing.h"
 
 DEFINE_string(json, "", "write the findings as JSON too; without =FILE, print it instead");

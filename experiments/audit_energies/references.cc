@@ -1,6 +1,6 @@
-#include "experiments/audit_energies/references.h"
-
 #include <algorithm>
+
+#include "experiments/audit_energies/samples.h"
 
 namespace cirque::audit_energies {
 namespace {

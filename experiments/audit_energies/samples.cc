@@ -1,11 +1,9 @@
 // At which inputs and points the framework's energies are audited: usual ones and fragile ones.
+#include "experiments/audit_energies/samples.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
-
-#include "experiments/audit_energies/audit.h"
-#include "experiments/audit_energies/inputs.h"
-#include "experiments/audit_energies/references.h"
 
 namespace cirque::audit_energies {
 namespace {
@@ -14,7 +12,7 @@ using Eigen::VectorXd;
 
 constexpr double kSliver = 1e-6;
 
-AuditCase CaseOf(std::string name, EnergyInput input) {
+SampleCase CaseOf(std::string name, EnergyInput input) {
   return {std::move(name), std::make_shared<const EnergyInput>(std::move(input)), {}, {}};
 }
 
@@ -33,11 +31,11 @@ AuditPoint RadiiPoint(const std::string& name, const EnergyInput& input, const V
   return {name, rho, step};
 }
 
-AuditCase CirclePatternCase(const std::string& name, double opposite) {
+SampleCase CirclePatternCase(const std::string& name, double opposite) {
   EnergyInput input = DiskInput(1);
   const int n = input.triangulation.num_faces();
   if (opposite > 0) input.coherent.value = PairedAngles(input.triangulation, opposite);
-  AuditCase c = CaseOf(name, std::move(input));
+  SampleCase c = CaseOf(name, std::move(input));
   Random random(5);
   const auto add = [&](const std::string& point, double size) {
     c.inside.push_back(RadiiPoint(point, *c.input, random.Vector(n, size)));
@@ -60,7 +58,7 @@ AuditSamples CirclePatternSamples() {
           CirclePatternReference};
 }
 
-AuditCase BarrierCase(const std::string& name, const VectorXd& reference) {
+SampleCase BarrierCase(const std::string& name, const VectorXd& reference) {
   EnergyInput input = DiskInput(2);
   const Triangulation& t = input.triangulation;
   if (reference.size() > 0) input.reference.value = reference;
@@ -73,7 +71,7 @@ AuditCase BarrierCase(const std::string& name, const VectorXd& reference) {
     outside.push_back({"one angle out of range", RoundAngles(t, 3), 0});
     outside.back().x[4] = angle;
   }
-  AuditCase c = CaseOf(name, std::move(input));
+  SampleCase c = CaseOf(name, std::move(input));
   c.inside = std::move(inside);
   c.outside = std::move(outside);
   return c;
@@ -87,14 +85,14 @@ AuditSamples BarrierSamples() {
           CoherentAngleBarrierReference};
 }
 
-AuditCase DualCase(const std::string& name, EnergyInput input) {
+SampleCase DualCase(const std::string& name, EnergyInput input) {
   // One row a face and one a vertex that is not free.
   int n = input.triangulation.num_faces();
   const std::vector<Index> corners = CornersPerVertex(input.triangulation);
   for (std::size_t v = 0; v < corners.size(); ++v) {
     n += input.targets.lower[v] > 0 || input.targets.upper[v] < kPi * corners[v];
   }
-  AuditCase c = CaseOf(name, std::move(input));
+  SampleCase c = CaseOf(name, std::move(input));
   Random random(7);
   c.inside = {{"small multipliers", random.Vector(n, 0.05), 1e-3},
               {"multipliers about 1", random.Vector(n, 1), 1e-3},
@@ -122,11 +120,11 @@ SampleMaker DualSamplesOf(const std::string& objective) {
   };
 }
 
-AuditCase LorentzCase(const std::string& name, double scale) {
+SampleCase LorentzCase(const std::string& name, double scale) {
   EnergyInput input = PointsInput(30, scale, 9);
   const Eigen::Vector3d v = input.points.front(), w = input.points.back();
   const Eigen::Vector3d side = Random(6).UnitVector();
-  AuditCase c = CaseOf(name, std::move(input));
+  SampleCase c = CaseOf(name, std::move(input));
   c.inside = {
       {"the centre", VectorXd::Zero(3), 0.03},  {"near the centre", 1e-5 * side, 0.03},
       {"half way out", 0.5 * side, 0.03},       {"at the sphere", (1 - 1e-6) * side, 1e-8},

@@ -7,7 +7,7 @@
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/audit_energies/audit.h"
-#include "experiments/audit_energies/inputs.h"
+#include "experiments/audit_energies/samples.h"
 #include "tests/common/surfaces.h"
 #include "tests/energy/example/cosh_objective.h"
 #include "tests/energy/example/gradient_descent_strategy.h"
@@ -16,10 +16,10 @@
 namespace cirque {
 namespace {
 
-using audit_energies::AuditCase;
 using audit_energies::AuditSamples;
 using audit_energies::Reals;
 using audit_energies::ReferenceValue;
+using audit_energies::SampleCase;
 using high_precision::Real;
 
 const Registry<EnergyFactory>& MyEnergies() {
@@ -44,7 +44,7 @@ ReferenceValue SpringReference(const EnergyInput& input, const Reals& x) {
 
 /// Step 3: where to audit.
 AuditSamples SpringSamples() {
-  AuditCase c{"disk", std::make_shared<const EnergyInput>(audit_energies::DiskInput(1)), {}, {}};
+  SampleCase c{"disk", std::make_shared<const EnergyInput>(audit_energies::DiskInput(1)), {}, {}};
   const int n = c.input->triangulation.num_faces();
   audit_energies::Random random(1);
   c.inside = {{"near", random.Vector(n, 1), 0.05}, {"stretched", random.Vector(n, 8), 0.05}};

@@ -11,7 +11,7 @@
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/lorentz.h"
 
-#include "experiments/audit_energies/inputs.h"
+#include "experiments/audit_energies/samples.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {

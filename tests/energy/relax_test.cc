@@ -8,7 +8,7 @@
 #include "cirque/energy/registry.h"
 
 #include "experiments/audit_energies/audit.h"
-#include "experiments/audit_energies/inputs.h"
+#include "experiments/audit_energies/samples.h"
 #include "tests/common/surfaces.h"
 #include "tests/energy/relaxation_checks.h"
 
@@ -72,9 +72,9 @@ TEST_P(EveryEnergyRelax, LowersTheValueOrDoesNothing) {
 TEST_P(EveryEnergyRelax, IsSoundWhereTheEnergyIsFragile) {
   const auto samples = audit_energies::Samples().Find(GetParam());
   ASSERT_TRUE(samples.ok()) << samples.status().message();
-  for (const audit_energies::AuditCase& c : (*samples)().cases) {
+  for (const audit_energies::SampleCase& c : (*samples)().cases) {
     const std::unique_ptr<Energy> energy = (*Energies().Find(GetParam()))(*c.input);
-    for (const audit_energies::AuditPoint& point : c.inside) {
+    for (const AuditPoint& point : c.inside) {
       SCOPED_TRACE(c.name + ", " + point.name);
       ExpectSound(*energy, point.x);
     }

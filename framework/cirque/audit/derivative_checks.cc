@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "experiments/audit_energies/checks.h"
+#include "cirque/audit/checks.h"
 
-namespace cirque::audit_energies {
+namespace cirque {
 namespace {
 
 using Eigen::VectorXd;
@@ -71,63 +71,61 @@ double TaylorShortfall(const Function& f, const Model& model, const AuditPoint& 
   return Shortfall(remainder, point.step, noise, order);
 }
 
-/// The magnitude of the energy's terms at the point.
-double Magnitude(const Subject& s, const AuditPoint& point) {
-  const Reals x(point.x.begin(), point.x.end());
-  return static_cast<double>(s.reference(*s.audit_case.input, x).magnitude);
+double Magnitude(const AuditPoint& point, double value) {
+  return point.magnitude > 0 ? point.magnitude : std::abs(value);
 }
 
 }  // namespace
 
-void CheckGradient(const Subject& s, Finding* finding) {
-  for (const AuditPoint& point : s.audit_case.inside) {
-    const double value = ValueAt(s.energy, point.x), magnitude = Magnitude(s, point);
-    const VectorXd gradient = GradientAt(s.energy, point.x);
+void CheckGradient(const AuditCase& c, AuditFinding* finding) {
+  for (const AuditPoint& point : c.inside) {
+    const double value = ValueAt(*c.energy, point.x), magnitude = Magnitude(point, value);
+    const VectorXd gradient = GradientAt(*c.energy, point.x);
     const auto model = [&](const VectorXd& move) -> VectorXd {
       return VectorXd::Constant(1, value + gradient.dot(move));
     };
     for (const VectorXd& p : Directions(static_cast<int>(point.x.size()))) {
-      finding->Note(TaylorShortfall(ValueOf(s.energy), model, point, p, magnitude, 2),
-                    s.Where(point, "order of E(x + hp) - E - h g.p short of 2"));
+      finding->Note(TaylorShortfall(ValueOf(*c.energy), model, point, p, magnitude, 2),
+                    c.Where(point, "order of E(x + hp) - E - h g.p short of 2"));
     }
   }
 }
 
-void CheckHessian(const Subject& s, Finding* finding) {
-  for (const AuditPoint& point : s.audit_case.inside) {
-    const double value = ValueAt(s.energy, point.x), magnitude = Magnitude(s, point);
-    const VectorXd gradient = GradientAt(s.energy, point.x);
-    const Eigen::MatrixXd hessian = HessianAt(s.energy, point.x);
+void CheckHessian(const AuditCase& c, AuditFinding* finding) {
+  for (const AuditPoint& point : c.inside) {
+    const double value = ValueAt(*c.energy, point.x), magnitude = Magnitude(point, value);
+    const VectorXd gradient = GradientAt(*c.energy, point.x);
+    const Eigen::MatrixXd hessian = HessianAt(*c.energy, point.x);
     const auto quadratic = [&](const VectorXd& move) -> VectorXd {
       return VectorXd::Constant(1, value + (gradient + 0.5 * (hessian * move)).dot(move));
     };
     const auto linear = [&](const VectorXd& move) -> VectorXd { return gradient + hessian * move; };
     const double largest = gradient.lpNorm<Eigen::Infinity>();
     for (const VectorXd& p : Directions(static_cast<int>(point.x.size()))) {
-      finding->Note(TaylorShortfall(ValueOf(s.energy), quadratic, point, p, magnitude, 3),
-                    s.Where(point, "order of E(x + hp) - E - h g.p - h^2/2 p.Hp short of 3"));
-      finding->Note(TaylorShortfall(GradientOf(s.energy), linear, point, p, 1 + largest, 2),
-                    s.Where(point, "order of g(x + hp) - g - h Hp short of 2"));
+      finding->Note(TaylorShortfall(ValueOf(*c.energy), quadratic, point, p, magnitude, 3),
+                    c.Where(point, "order of E(x + hp) - E - h g.p - h^2/2 p.Hp short of 3"));
+      finding->Note(TaylorShortfall(GradientOf(*c.energy), linear, point, p, 1 + largest, 2),
+                    c.Where(point, "order of g(x + hp) - g - h Hp short of 2"));
     }
   }
 }
 
-void CheckSymmetry(const Subject& s, Finding* finding) {
-  for (const AuditPoint& point : s.audit_case.inside) {
+void CheckSymmetry(const AuditCase& c, AuditFinding* finding) {
+  for (const AuditPoint& point : c.inside) {
     SparseMatrix lower;
-    s.energy.Hessian(point.x.data(), &lower);
+    c.energy->Hessian(point.x.data(), &lower);
     int above = 0;
     for (int j = 0; j < lower.outerSize(); ++j) {
       for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry) above += entry.row() < j;
     }
-    finding->Note(above, s.Where(point, fmt::format("{} entries above the diagonal", above)));
+    finding->Note(above, c.Where(point, fmt::format("{} entries above the diagonal", above)));
     const auto directions = Directions(static_cast<int>(point.x.size()));
     const double h = 1e-4 * point.step;
     std::vector<VectorXd> moves, changes;
     double largest = 0, size = 0;
     for (const VectorXd& p : directions) {
       const VectorXd ahead = point.x + h * p, behind = point.x - h * p;
-      const VectorXd plus = GradientAt(s.energy, ahead), minus = GradientAt(s.energy, behind);
+      const VectorXd plus = GradientAt(*c.energy, ahead), minus = GradientAt(*c.energy, behind);
       moves.push_back((ahead - behind) / (2 * h));
       changes.push_back((plus - minus) / (2 * h));
       size = std::max(size, plus.lpNorm<Eigen::Infinity>());
@@ -140,10 +138,10 @@ void CheckSymmetry(const Subject& s, Finding* finding) {
         const double difference = changes[i].dot(moves[j]) - changes[j].dot(moves[i]);
         finding->Note(
             std::abs(difference) / scale,
-            s.Where(point, "q.dg(p) - p.dg(q), relative: the derivative of the gradient"));
+            c.Where(point, "q.dg(p) - p.dg(q), relative: the derivative of the gradient"));
       }
     }
   }
 }
 
-}  // namespace cirque::audit_energies
+}  // namespace cirque

@@ -1,4 +1,4 @@
-#include "tests/energy/planted_errors.h"
+#include "tests/audit/planted_errors.h"
 
 #include <cmath>
 #include <vector>

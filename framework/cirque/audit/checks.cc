@@ -1,20 +1,10 @@
-#include "experiments/audit_energies/checks.h"
+#include "cirque/audit/checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-namespace cirque::audit_energies {
-
-const std::vector<Check>& Checks() {
-  static const std::vector<Check> kTable = {
-      {"gradient", 0.2, CheckGradient},     {"hessian", 0.2, CheckHessian},
-      {"digits", 1e-11, CheckDigits},       {"symmetry", 1e-6, CheckSymmetry},
-      {"convexity", 1e-12, CheckConvexity}, {"forms", 1e-9, CheckForms},
-      {"domain", 0, CheckDomain},
-  };
-  return kTable;
-}
+namespace cirque {
 
 std::vector<Eigen::VectorXd> Directions(int n) {
   constexpr int kAxes = 6, kRandom = 4;
@@ -51,4 +41,4 @@ Eigen::MatrixXd HessianAt(const Energy& energy, const Eigen::VectorXd& x) {
   return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
 }
 
-}  // namespace cirque::audit_energies
+}  // namespace cirque

@@ -4,9 +4,9 @@
 #include <ceres/crs_matrix.h>
 #include <ceres/problem.h>
 
-#include "experiments/audit_energies/checks.h"
+#include "cirque/audit/checks.h"
 
-namespace cirque::audit_energies {
+namespace cirque {
 namespace {
 
 using Eigen::MatrixXd;
@@ -51,34 +51,34 @@ double Relative(const MatrixXd& a, const MatrixXd& b) {
   return (a - b).lpNorm<Eigen::Infinity>() / (1 + b.lpNorm<Eigen::Infinity>());
 }
 
-void CheckGradientForms(const Subject& s, const AuditPoint& point, Finding* finding) {
+void CheckGradientForms(const AuditCase& c, const AuditPoint& point, AuditFinding* finding) {
   VectorXd alone(point.x.size()), with_value(point.x.size());
   double value = std::nan("");
-  const bool both = s.energy.Evaluate(point.x.data(), &value, with_value.data()) &&
-                    s.energy.Gradient(point.x.data(), alone.data());
+  const bool both = c.energy->Evaluate(point.x.data(), &value, with_value.data()) &&
+                    c.energy->Gradient(point.x.data(), alone.data());
   finding->Note(both ? Relative(alone, with_value) : std::nan(""),
-                s.Where(point, "Gradient() against Evaluate()'s gradient, relative"));
-  const double difference = ValueAt(s.energy, point.x) - value;
+                c.Where(point, "Gradient() against Evaluate()'s gradient, relative"));
+  const double difference = ValueAt(*c.energy, point.x) - value;
   finding->Note(std::abs(difference) / (1 + std::abs(value)),
-                s.Where(point, "value without gradient against value with it, relative"));
+                c.Where(point, "value without gradient against value with it, relative"));
 }
 
-void CheckExactResiduals(const Subject& s, const AuditPoint& point, const Residuals& r,
-                         double* offset, Finding* finding) {
-  const double value = ValueAt(s.energy, point.x);
+void CheckExactResiduals(const AuditCase& c, const AuditPoint& point, const Residuals& r,
+                         double* offset, AuditFinding* finding) {
+  const double value = ValueAt(*c.energy, point.x);
   if (std::isnan(*offset)) *offset = value - r.cost;
   const double scale = 1 + std::abs(value) + std::abs(*offset);
   finding->Note(std::abs(value - r.cost - *offset) / scale,
-                s.Where(point, "E - 1/2 |r|^2 differs from the first point's, relative"));
-  const VectorXd gradient = GradientAt(s.energy, point.x);
-  finding->Note(Relative(r.gradient, gradient), s.Where(point, "J'r against gradient, relative"));
+                c.Where(point, "E - 1/2 |r|^2 differs from the first point's, relative"));
+  const VectorXd gradient = GradientAt(*c.energy, point.x);
+  finding->Note(Relative(r.gradient, gradient), c.Where(point, "J'r against gradient, relative"));
   // The Jacobian by itself, since J'r hides what multiplies a residual that vanishes.
   for (const VectorXd& p : Directions(static_cast<int>(point.x.size()))) {
     const double h = 1e-5 * point.step;
-    const Residuals plus = EvaluateResiduals(s.energy, point.x + h * p);
-    const Residuals minus = EvaluateResiduals(s.energy, point.x - h * p);
+    const Residuals plus = EvaluateResiduals(*c.energy, point.x + h * p);
+    const Residuals minus = EvaluateResiduals(*c.energy, point.x - h * p);
     if (!plus.evaluated || !minus.evaluated) {
-      finding->Note(std::nan(""), s.Where(point, "residuals refuse a point inside the domain"));
+      finding->Note(std::nan(""), c.Where(point, "residuals refuse a point inside the domain"));
       return;
     }
     const VectorXd slope = (plus.values - minus.values) / (2 * h);
@@ -86,34 +86,34 @@ void CheckExactResiduals(const Subject& s, const AuditPoint& point, const Residu
     const double error = (slope - r.jacobian * p).lpNorm<Eigen::Infinity>();
     const double scale_of_slope =
         1 + r.jacobian.lpNorm<Eigen::Infinity>() + 1e-8 * r.values.lpNorm<Eigen::Infinity>() / h;
-    finding->Note(1e-6 * error / scale_of_slope, s.Where(point, "1e-6 of dr(p) - Jp, relative"));
+    finding->Note(1e-6 * error / scale_of_slope, c.Where(point, "1e-6 of dr(p) - Jp, relative"));
   }
 }
 
-void CheckGradientResiduals(const Subject& s, const AuditPoint& point, const Residuals& r,
-                            Finding* finding) {
-  finding->Note(Relative(r.values, GradientAt(s.energy, point.x)),
-                s.Where(point, "r against gradient, relative"));
-  finding->Note(Relative(r.jacobian, HessianAt(s.energy, point.x)),
-                s.Where(point, "J against Hessian, relative"));
+void CheckGradientResiduals(const AuditCase& c, const AuditPoint& point, const Residuals& r,
+                            AuditFinding* finding) {
+  finding->Note(Relative(r.values, GradientAt(*c.energy, point.x)),
+                c.Where(point, "r against gradient, relative"));
+  finding->Note(Relative(r.jacobian, HessianAt(*c.energy, point.x)),
+                c.Where(point, "J against Hessian, relative"));
 }
 
 }  // namespace
 
-void CheckForms(const Subject& s, Finding* finding) {
+void CheckForms(const AuditCase& c, AuditFinding* finding) {
   double offset = std::nan("");
-  for (const AuditPoint& point : s.audit_case.inside) {
-    CheckGradientForms(s, point, finding);
-    if (s.energy.residual_form() == ResidualForm::kAbsent) continue;
-    const Residuals r = EvaluateResiduals(s.energy, point.x);
+  for (const AuditPoint& point : c.inside) {
+    CheckGradientForms(c, point, finding);
+    if (c.energy->residual_form() == ResidualForm::kAbsent) continue;
+    const Residuals r = EvaluateResiduals(*c.energy, point.x);
     if (!r.evaluated) {
-      finding->Note(std::nan(""), s.Where(point, "residuals refuse a point inside the domain"));
-    } else if (s.energy.residual_form() == ResidualForm::kExact) {
-      CheckExactResiduals(s, point, r, &offset, finding);
+      finding->Note(std::nan(""), c.Where(point, "residuals refuse a point inside the domain"));
+    } else if (c.energy->residual_form() == ResidualForm::kExact) {
+      CheckExactResiduals(c, point, r, &offset, finding);
     } else {
-      CheckGradientResiduals(s, point, r, finding);
+      CheckGradientResiduals(c, point, r, finding);
     }
   }
 }
 
-}  // namespace cirque::audit_energies
+}  // namespace cirque
