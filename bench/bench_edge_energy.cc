@@ -5,7 +5,6 @@
 
 #include "cirque/core/types.h"
 #include "cirque/math/circle_angle.h"
-#include "cirque/math/edge_energy.h"
 
 namespace cirque {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "cirque/energy/laplacian_assembler.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/energy/dual_laplacian.h"
+#include "cirque/linear/registry.h"
 
 #include "bench/terrain.h"
 

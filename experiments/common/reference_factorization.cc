@@ -6,13 +6,12 @@
 #ifdef CIRQUE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #else
-#include "cirque/linear/eigen_cholesky.h"
+#include "cirque/linear/registry.h"
 #endif
 #include <glog/logging.h>
 
 #include "cirque/core/timer.h"
 #include "cirque/energy/dual_laplacian.h"
-#include "cirque/energy/laplacian_assembler.h"
 #include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {

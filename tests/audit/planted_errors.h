@@ -34,7 +34,7 @@ class PlantedEnergy final : public Energy {
   bool Hessian(const double* x, SparseMatrix* lower) const override;
   bool IsConvex() const override { return sound_->IsConvex(); }
   std::vector<int> GaugeParameters() const override { return sound_->GaugeParameters(); }
-  double LeastHessianShift() const override { return sound_->LeastHessianShift(); }
+  double LeastDamping() const override { return sound_->LeastDamping(); }
   ResidualForm residual_form() const override { return sound_->residual_form(); }
   void AddResidualBlocks(double* x, ceres::Problem* problem) const override;
 

@@ -5,7 +5,6 @@
 
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/energy/edge_block_assembler.h"
-#include "cirque/energy/laplacian_assembler.h"
 
 #include "tests/common/surfaces.h"
 

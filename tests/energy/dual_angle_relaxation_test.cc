@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/linear/sparse_cholesky.h"
-#include "cirque/solver/regularization.h"
+#include "cirque/linear/registry.h"
+#include "cirque/solver/newton_loop.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/energy/relaxation_checks.h"
@@ -28,7 +28,7 @@ EnergyPoint AfterNewtonStep(const Energy& energy) {
   SparseMatrix hessian;
   EXPECT_TRUE(energy.Hessian(start.x.data(), &hessian));
   const auto cholesky = MakeCholesky();
-  HessianShift(energy).Regularize(&hessian);
+  LevenbergMarquardtDamping(energy).DampHessian(&hessian);
   EXPECT_TRUE(cholesky->Factorize(hessian));
   return PointAt(energy, -cholesky->Solve(start.gradient));
 }

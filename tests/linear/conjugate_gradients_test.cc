@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 
 #include "tests/linear/grid_matrix.h"
 

@@ -1,5 +1,3 @@
-#include "cirque/linear/eliminating_cholesky.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,6 +10,7 @@
 
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/linear/registry.h"
 
 #include "tests/common/surfaces.h"
 

@@ -1,6 +1,6 @@
-#include "cirque/linear/sparse_cholesky.h"
-
 #include <gtest/gtest.h>
+
+#include "cirque/linear/registry.h"
 
 #include "tests/linear/grid_matrix.h"
 

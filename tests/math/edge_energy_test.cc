@@ -1,5 +1,3 @@
-#include "cirque/math/edge_energy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>

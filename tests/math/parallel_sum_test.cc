@@ -1,8 +1,8 @@
-#include "cirque/math/parallel_sum.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 namespace {

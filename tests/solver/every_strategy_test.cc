@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/solver/ceres_trust_region_strategy.h"
+#include "cirque/solver/ceres_strategies.h"
 
 #include "experiments/energy_strategies/problem.h"
 #include "tests/common/surfaces.h"

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/linear/reused_factor.h"
+#include "cirque/linear/lagged_factorization.h"
+#include "cirque/linear/registry.h"
 
 #include "tests/solver/strategy_fixtures.h"
 
@@ -24,7 +25,7 @@ class RecordingSolver final : public SystemSolver {
   std::vector<SolveAccuracy> asked;
 
  private:
-  ReusedFactor factor_{MakeCholesky(), 10};
+  LaggedFactorization factor_{MakeCholesky(), 10};
 };
 
 TEST(InexactNewton, NeverSolvesLooserThanForcingNorPastTheGoal) {

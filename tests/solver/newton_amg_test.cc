@@ -114,7 +114,7 @@ TEST_P(AmgSystemSolverTest, AnIndefiniteMatrixIsRefused) {
 TEST_P(AmgSystemSolverTest, OneHierarchyServesWhatIsNearItsMatrix) {
   AmgSystemSolver solver({GetParam()});
   SparseMatrix lower = GridMatrix(kSide, 1e-3);
-  solver.ExpectSystemsNear(lower, &summary_);
+  solver.PrepareForSystemsNear(lower, &summary_);
   EXPECT_LE(Residual(&solver, lower, 1e-10), 1e-10);
   for (const int row : {100, 700, 1111}) lower.coeffRef(row, row) += 50;
   const int cycles_before = summary_.cg_iterations;

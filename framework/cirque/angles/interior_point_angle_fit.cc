@@ -10,8 +10,8 @@
 #include "cirque/angles/angle_program.h"
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/timer.h"
-#include "cirque/energy/quadratic_objective.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/energy/quadratic_and_entropy_objectives.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {

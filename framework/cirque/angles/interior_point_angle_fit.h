@@ -5,6 +5,7 @@
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/core/option_table.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 

@@ -6,8 +6,9 @@
 
 #include <glog/logging.h>
 
-#include "cirque/energy/laplacian_assembler.h"
+#include "cirque/energy/dual_laplacian.h"
 #include "cirque/intrinsic/corner_angles.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cirque/cones/descent.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {

@@ -1,7 +1,6 @@
 #include "cirque/energy/angle_objective.h"
 #include "cirque/energy/barrier_objective.h"
-#include "cirque/energy/entropy_objective.h"
-#include "cirque/energy/quadratic_objective.h"
+#include "cirque/energy/quadratic_and_entropy_objectives.h"
 
 namespace cirque {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cirque/energy/edge_block_assembler.h"
-#include "cirque/math/parallel_sum.h"
+#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 

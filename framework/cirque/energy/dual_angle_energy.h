@@ -33,7 +33,7 @@ class DualAngleEnergy final : public Energy {
   bool SmoothHessian(const double* y, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override;
   std::vector<Kink> Kinks() const override;
-  double LeastHessianShift() const override { return 1e-9; }
+  double LeastDamping() const override { return 1e-9; }
 
   /// One row's multiplier at a time (dual_angle_relaxation.cc). Not with ranged vertices.
   bool Relax(double share, double* y, double* gradient) const override;

@@ -55,7 +55,7 @@ class Energy : public ceres::FirstOrderFunction {
 
   /// Least multiple of the identity to add to the Hessian: positive where it can be singular beyond
   /// the gauge.
-  virtual double LeastHessianShift() const { return 0; }
+  virtual double LeastDamping() const { return 0; }
 
   /// The parameters at whose 0 the energy is not differentiable. There Evaluate gives the slope
   /// from below; everywhere else the energy is as smooth as without kinks.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "cirque/core/timer.h"
 #include "cirque/linear/conjugate_gradients.h"
-#include "cirque/linear/eliminating_cholesky.h"
-#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/patch_smoother.h"
+#include "cirque/linear/registry.h"
 #include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
@@ -156,7 +156,7 @@ bool AmgSystemSolver::SolveByMultigrid(const SparseMatrix& lower, const Eigen::V
   return (reduced && reduced_->converged() && x->allFinite()) || Fail();
 }
 
-void AmgSystemSolver::ExpectSystemsNear(const SparseMatrix& lower, SolveSummary* summary) {
+void AmgSystemSolver::PrepareForSystemsNear(const SparseMatrix& lower, SolveSummary* summary) {
   if (Eliminate(lower, 0, summary)) near_diagonal_ = Diagonal(lower);
 }
 
@@ -170,7 +170,7 @@ bool AmgSystemSolver::Eliminate(const SparseMatrix& lower, double target, SolveS
 
 bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
                                 double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
-  LocalSmoother smoother(lower, near_diagonal_);
+  PatchSmoother smoother(lower, near_diagonal_);
   bool cycled = true;
   const auto solve = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
     reduced_->Prepare(kInnerTolerance * b.norm(), summary);

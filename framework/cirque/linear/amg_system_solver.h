@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "cirque/linear/lagged_factorization.h"
 #include "cirque/linear/multigrid.h"
-#include "cirque/linear/reused_factor.h"
 
 namespace cirque {
 
@@ -25,9 +25,9 @@ class AmgSystemSolver final : public SystemSolver {
   ~AmgSystemSolver() override;
 
   /// Says that the systems to come are near this one but for few rows. The hierarchy then is this
-  /// one's, a LocalSmoother sees to those rows, and conjugate gradients on the system itself to the
+  /// one's, a PatchSmoother sees to those rows, and conjugate gradients on the system itself to the
   /// rest.
-  void ExpectSystemsNear(const SparseMatrix& lower, SolveSummary* summary);
+  void PrepareForSystemsNear(const SparseMatrix& lower, SolveSummary* summary);
 
   bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
              const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) override;
@@ -49,7 +49,7 @@ class AmgSystemSolver final : public SystemSolver {
 
   Reduced* reduced_;  ///< belongs to elimination_
   std::unique_ptr<SparseCholesky> elimination_;
-  ReusedFactor factor_;
+  LaggedFactorization factor_;
   Eigen::VectorXd near_diagonal_;  ///< of the matrix that systems are near; empty: none
   int max_cg_iterations_;
   int num_systems_ = 0, num_factored_ = 0;

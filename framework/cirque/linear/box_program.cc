@@ -6,7 +6,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {
@@ -85,15 +85,15 @@ class InteriorPoint {
     return factor_->Factorize(matrix);
   }
 
-  /// Newton's direction to products of multipliers and distances equal to `wanted_l`, `wanted_u`.
-  Direction Solve(const Array& wanted_l, const Array& wanted_u) const {
+  /// Newton's direction to products of multipliers and distances equal to `target_l`, `target_u`.
+  Direction Solve(const Array& target_l, const Array& target_u) const {
     const Array to_lower = ToLower(), to_upper = ToUpper();
     const Array right =
-        -Residual() + (wanted_l / to_lower - lower_) - (wanted_u / to_upper - upper_);
+        -Residual() + (target_l / to_lower - lower_) - (target_u / to_upper - upper_);
     Direction d;
     d.x = factor_->Solve(right.matrix()).array();
-    d.lower = (wanted_l - lower_ * d.x) / to_lower - lower_;
-    d.upper = (wanted_u + upper_ * d.x) / to_upper - upper_;
+    d.lower = (target_l - lower_ * d.x) / to_lower - lower_;
+    d.upper = (target_u + upper_ * d.x) / to_upper - upper_;
     return d;
   }
 

@@ -14,8 +14,8 @@ constexpr int kTrialIterations = 6;
 bool MayFinish(double start, double now, double target, int iterations, int max_iterations) {
   if (iterations >= max_iterations) return false;
   if (iterations < kTrialIterations) return true;
-  const double done = std::log(start / now), wanted = std::log(start / target);
-  return done * max_iterations >= wanted * iterations;
+  const double done = std::log(start / now), needed = std::log(start / target);
+  return done * max_iterations >= needed * iterations;
 }
 
 double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {

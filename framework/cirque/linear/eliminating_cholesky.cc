@@ -1,11 +1,10 @@
-#include "cirque/linear/eliminating_cholesky.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "cirque/core/parallel.h"
+#include "cirque/linear/registry.h"
 #include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
@@ -78,9 +77,9 @@ class EliminatingCholesky final : public SparseCholesky {
     });
   }
 
-  void Expect(int unknowns) override { inner_->Expect(static_cast<int>(kLeastKept * unknowns)); }
+  void Reserve(int unknowns) override { inner_->Reserve(static_cast<int>(kLeastKept * unknowns)); }
 
-  void KeepRoughly() override { inner_->KeepRoughly(); }
+  void KeepInSinglePrecision() override { inner_->KeepInSinglePrecision(); }
 
  protected:
   bool Analyze(const SparseMatrix& lower) override {

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 
-#include <glog/logging.h>
-
-#include "cirque/linear/cholmod/cholmod_cholesky.h"
-#include "cirque/linear/eigen_cholesky.h"
-#include "cirque/linear/eliminating_cholesky.h"
-
 namespace cirque {
 
 bool SparseCholesky::Factorize(const SparseMatrix& lower) {
   if (!SamePatternAsBefore(lower)) {
-    Expect(static_cast<int>(lower.cols()));
+    Reserve(static_cast<int>(lower.cols()));
     if (!AnalyzeAnew(lower)) return false;
   }
   ++factorizations_;
@@ -37,23 +31,6 @@ bool SparseCholesky::SamePatternAsBefore(const SparseMatrix& lower) const {
          static_cast<int>(row_indices_.size()) == lower.nonZeros() &&
          std::equal(column_starts_.begin(), column_starts_.end(), lower.outerIndexPtr()) &&
          std::equal(row_indices_.begin(), row_indices_.end(), lower.innerIndexPtr());
-}
-
-const Registry<SparseCholeskyFactory>& LinearSolvers() {
-  static const Registry<SparseCholeskyFactory> kTable("linear solver",
-                                                      {
-#ifdef CIRQUE_CHOLMOD
-                                                          {"cholmod", MakeCholmodCholesky},
-#endif
-                                                          {"eigen", MakeEigenCholesky},
-                                                      });
-  return kTable;
-}
-
-std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name) {
-  const auto factory = LinearSolvers().Find(name.empty() ? LinearSolvers().Names().front() : name);
-  CHECK(factory.ok()) << factory.status().message();
-  return MakeEliminatingCholesky((*factory)());
 }
 
 }  // namespace cirque

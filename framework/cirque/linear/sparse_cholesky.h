@@ -1,11 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
 #include <vector>
 
-#include "cirque/core/registry.h"
 #include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
@@ -23,9 +19,9 @@ class SparseCholesky {
   /// ran out.
   bool Prepare(const SparseMatrix& lower);
 
-  /// That a matrix of that many unknowns is to be factored soon: memory may be made ready beside
-  /// what the caller does.
-  virtual void Expect(int unknowns) { static_cast<void>(unknowns); }
+  /// A matrix of that many unknowns is to be factored soon: memory may be made ready while the
+  /// caller goes on.
+  virtual void Reserve(int unknowns) { static_cast<void>(unknowns); }
 
   /// x = A^-1 b with the last factor, in the memory that x has: on large meshes fresh pages cost as
   /// much as a solve. b is not x. @pre Factorize returned true.
@@ -37,9 +33,9 @@ class SparseCholesky {
     return x;
   }
 
-  /// Until the next factorization Solve() may be right to six digits only: enough for a
-  /// preconditioner, and faster.
-  virtual void KeepRoughly() {}
+  /// Rounds the factor to single precision: until the next factorization Solve() is right to six
+  /// digits only, enough for a preconditioner, and faster.
+  virtual void KeepInSinglePrecision() {}
 
   /// The elimination order of the last analysis, first to last; empty when it is not known.
   virtual std::vector<int> Ordering() const { return {}; }
@@ -61,14 +57,5 @@ class SparseCholesky {
   std::vector<int> column_starts_, row_indices_;
   int symbolic_analyses_ = 0, factorizations_ = 0;
 };
-
-using SparseCholeskyFactory = std::function<std::unique_ptr<SparseCholesky>()>;
-
-/// `cholmod` (when built with it) and `eigen`; the first is the default.
-const Registry<SparseCholeskyFactory>& LinearSolvers();
-
-/// The linear solver of that name behind the elimination of what is diagonal
-/// (MakeEliminatingCholesky); empty: the first of the table. @pre the name is known.
-std::unique_ptr<SparseCholesky> MakeCholesky(const std::string& name = "");
 
 }  // namespace cirque

@@ -8,7 +8,7 @@
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/radii/solve_log_radii.h"
 

@@ -16,7 +16,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/move_vertices.h"
-#include "cirque/math/parallel_sum.h"
+#include "cirque/math/compensated_sum.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {

@@ -7,8 +7,8 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/energy/dual_laplacian.h"
-#include "cirque/math/parallel_sum.h"
-#include "cirque/solver/regularization.h"
+#include "cirque/math/compensated_sum.h"
+#include "cirque/solver/newton_loop.h"
 
 namespace cirque {
 namespace {
@@ -116,7 +116,7 @@ SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles&
                                    SystemSolver* solver, Eigen::VectorXd* rho) {
   Volume volume(t, angles, energy.laplacian());
   SolveSummary summary;
-  HessianShift shift(energy);
+  LevenbergMarquardtDamping shift(energy);
   SparseMatrix lower;
   Eigen::VectorXd right_side, gradient(t.num_faces());
   rho->setZero(t.num_faces());
@@ -124,7 +124,7 @@ SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles&
   for (int i = 0; i < kMaxIterations; ++i) {
     volume.Linearize(&lower, &right_side);
     // The multipliers change less and less: solve for their change.
-    shift.Regularize(&lower);
+    shift.DampHessian(&lower);
     Eigen::VectorXd change;
     const Eigen::VectorXd missing = right_side - lower.selfadjointView<Eigen::Lower>() * *rho;
     if (!solver->Solve(lower, missing, {kTolerance}, &change, &summary)) break;

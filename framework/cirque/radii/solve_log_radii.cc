@@ -9,7 +9,7 @@
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
-#include "cirque/math/parallel_sum.h"
+#include "cirque/math/compensated_sum.h"
 #include "cirque/radii/pattern_volume.h"
 
 namespace cirque {

@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/solver/newton_amg_strategy.h"
-#include "cirque/solver/newton_cg_strategy.h"
+#include "cirque/solver/inexact_newton_strategies.h"
 #include "cirque/solver/newton_strategy.h"
 
 namespace cirque {

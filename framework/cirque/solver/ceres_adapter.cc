@@ -60,7 +60,7 @@ void CeresWatch::KeepBest() {
 }
 
 void CeresWatch::BeginRound() {
-  round_ends_ = is_round_wanted_ = false;
+  round_ends_ = is_round_asked_ = false;
   idle_ = 0;
   round_start_ = best_;
 }
@@ -79,7 +79,7 @@ void CeresWatch::Offer(const Eigen::VectorXd& point) {
 
 bool CeresWatch::AnotherRoundHelps(const std::string& message) {
   if (run_->summary().termination != Termination::kNotRun) return false;
-  if (is_round_wanted_) return true;
+  if (is_round_asked_) return true;
   *x_ = best_x_;
   gradient_ = best_gradient_;
   if (best_ < kClearlySmaller * round_start_) return true;

@@ -30,7 +30,7 @@ class CeresWatch final : public ceres::IterationCallback {
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
 
   /// Makes Ceres return after the present iteration; another round follows.
-  void EndRound() { round_ends_ = is_round_wanted_ = true; }
+  void EndRound() { round_ends_ = is_round_asked_ = true; }
 
   /// Called before Ceres is (again) to start from *x.
   void BeginRound();
@@ -52,7 +52,7 @@ class CeresWatch final : public ceres::IterationCallback {
   const PointFunction accepted_;
   Eigen::VectorXd gradient_;  ///< at *x_
   Eigen::VectorXd* x_;
-  bool round_ends_ = false, is_round_wanted_ = false;
+  bool round_ends_ = false, is_round_asked_ = false;
   const int max_idle_;
   int idle_ = 0;
   double best_, round_start_ = std::numeric_limits<double>::infinity();

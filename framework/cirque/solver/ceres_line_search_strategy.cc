@@ -1,5 +1,3 @@
-#include "cirque/solver/ceres_line_search_strategy.h"
-
 #include <limits>
 #include <utility>
 
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cirque/solver/ceres_adapter.h"
+#include "cirque/solver/ceres_strategies.h"
 
 namespace cirque {
 namespace {

@@ -1,5 +1,3 @@
-#include "cirque/solver/ceres_trust_region_strategy.h"
-
 #include <limits>
 #include <memory>
 
@@ -7,6 +5,7 @@
 #include <ceres/solver.h>
 
 #include "cirque/solver/ceres_adapter.h"
+#include "cirque/solver/ceres_strategies.h"
 #include "cirque/solver/gradient_residuals.h"
 
 namespace cirque {

@@ -1,9 +1,57 @@
 #include "cirque/solver/newton_loop.h"
 
-#include "cirque/solver/kinked_line_search.h"
+#include <algorithm>
+
+#include "cirque/core/parallel.h"
+#include "cirque/linear/sparse_matrix.h"
+#include "cirque/solver/kinks.h"
 #include "cirque/solver/line_search.h"
 
 namespace cirque {
+
+namespace {
+
+constexpr double kRaise = 100, kLower = 0.01, kRaisedLeast = 1e-5, kMost = 1e8;
+constexpr double kShortStep = 0.01, kFullStep = 0.99;
+
+}  // namespace
+
+LevenbergMarquardtDamping::LevenbergMarquardtDamping(const Energy& energy)
+    : least_(energy.LeastDamping()), gauge_(energy.GaugeParameters()), damping_(least_) {}
+
+void LevenbergMarquardtDamping::DampHessian(SparseMatrix* hessian) {
+  diagonal_ = Diagonal(*hessian);
+  scale_ = diagonal_.size() > 0 ? diagonal_.mean() : 1;
+  Apply(hessian);
+}
+
+void LevenbergMarquardtDamping::Apply(SparseMatrix* hessian) const {
+  ParallelFor(static_cast<int>(diagonal_.size()),
+              [&](int j) { DiagonalEntry(hessian, j) = diagonal_[j] + damping_; });
+  for (const int g : gauge_) DiagonalEntry(hessian, g) *= 2;
+}
+
+bool LevenbergMarquardtDamping::Raise(SparseMatrix* hessian) {
+  if (!Raise()) return false;
+  Apply(hessian);
+  return true;
+}
+
+bool LevenbergMarquardtDamping::Raise() {
+  if (damping_ >= kMost * scale_) return false;
+  damping_ = std::max(damping_ * kRaise, kRaisedLeast * scale_);
+  return true;
+}
+
+void LevenbergMarquardtDamping::Adapt(double step_length) {
+  if (step_length < kShortStep) {
+    Raise();
+  } else if (step_length > kFullStep) {
+    damping_ = std::max(least_, damping_ * kLower);
+    if (least_ == 0 && damping_ < 1e-12 * scale_) damping_ = 0;
+  }
+}
+
 namespace {
 
 void Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
@@ -15,23 +63,23 @@ void Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
 }  // namespace
 
 void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x) {
-  HessianShift shift(run->energy());
+  LevenbergMarquardtDamping damping(run->energy());
   Eigen::VectorXd gradient, direction;
   LineSearchResult step;
   if (!run->Begin(*x, &gradient)) return;
   while (run->Continue(gradient)) {
     if (run->StoppedAtRounding(gradient)) return;
-    if (!find_direction(*x, gradient, &shift, &direction)) {
+    if (!find_direction(*x, gradient, &damping, &direction)) {
       run->End(Termination::kStalled, "the Hessian could not be made positive definite");
       return;
     }
     Search(*x, gradient, direction, run, &step);
     if (!step.found) {
-      if (shift.Raise()) continue;
+      if (damping.Raise()) continue;
       run->End(Termination::kStalled, "no step along the Newton direction improves x");
       return;
     }
-    shift.Adapt(step.step_length);
+    damping.Adapt(step.step_length);
     x->swap(step.x);
     gradient.swap(step.gradient);
     run->Relax(x, &gradient);

@@ -1,22 +1,56 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <Eigen/Core>
 
-#include "cirque/solver/regularization.h"
+#include "cirque/energy/energy.h"
 #include "cirque/solver/solve_run.h"
 
 namespace cirque {
 
-/// Finds a descent direction at x with this gradient, raising the shift as it must. False when
+/// What is added to a Hessian's diagonal before it is factored: a multiple of the identity that
+/// adapts as in Levenberg and Marquardt, and at each gauge parameter once more its own diagonal
+/// entry. The gradient being orthogonal to the gauge, the solution of that definite system is
+/// exactly the step that leaves the gauge parameters alone.
+class LevenbergMarquardtDamping {
+ public:
+  explicit LevenbergMarquardtDamping(const Energy& energy);
+
+  /// Damps a Hessian where it is.
+  void DampHessian(SparseMatrix* hessian);
+
+  /// Raises the damping 100-fold, to at least 1e-5 of the mean diagonal. False when it is as high as
+  /// makes sense.
+  bool Raise();
+
+  /// The same, and damps the last Hessian anew.
+  bool Raise(SparseMatrix* hessian);
+
+  /// Lowers the damping after a full step, raises it after one below 1/100.
+  void Adapt(double step_length);
+
+  double damping() const { return damping_; }
+
+ private:
+  void Apply(SparseMatrix* hessian) const;
+
+  const double least_;
+  const std::vector<int> gauge_;
+  double damping_;
+  double scale_ = 1;          ///< mean diagonal entry of the last Hessian
+  Eigen::VectorXd diagonal_;  ///< of the last Hessian as it was
+};
+
+/// Finds a descent direction at x with this gradient, raising the damping as it must. False when
 /// there is none.
 using DirectionFinder =
     std::function<bool(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-                       HessianShift* shift, Eigen::VectorXd* direction)>;
+                       LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction)>;
 
 /// The iteration that Newton's method and its relatives share: direction, line search, adaption of
-/// the shift, records, limits.
+/// the damping, records, limits.
 void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x);
 
 }  // namespace cirque

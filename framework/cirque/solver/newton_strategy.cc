@@ -2,29 +2,29 @@
 
 #include <functional>
 
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 #include "cirque/solver/newton_loop.h"
 
 namespace cirque {
 namespace {
 
-constexpr int kMaxShiftsPerStep = 12;
+constexpr int kMaxRaisesPerStep = 12;
 
-/// Factors the regularised Hessian at every step, raising the shift until it is positive definite.
+/// Factors the regularised Hessian at every step, raising the damping until it is positive definite.
 class CholeskyDirection {
  public:
   CholeskyDirection(SolveRun* run, SparseCholesky* cholesky) : run_(run), cholesky_(cholesky) {}
 
-  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, HessianShift* shift,
-                  Eigen::VectorXd* direction) {
+  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                  LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
-    shift->Regularize(&hessian_);
-    for (int attempt = 0; attempt < kMaxShiftsPerStep; ++attempt) {
+    damping->DampHessian(&hessian_);
+    for (int attempt = 0; attempt < kMaxRaisesPerStep; ++attempt) {
       if (run_->Factorize(hessian_, cholesky_)) {
         *direction = -run_->Solve(gradient, cholesky_);
         if (direction->allFinite() && direction->dot(gradient) < 0) return true;
       }
-      if (!shift->Raise(&hessian_)) return false;
+      if (!damping->Raise(&hessian_)) return false;
     }
     return false;
   }

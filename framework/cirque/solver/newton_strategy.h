@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cirque/linear/registry.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

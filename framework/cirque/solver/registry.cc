@@ -1,9 +1,9 @@
-#include "cirque/linear/reused_factor.h"
+#include "cirque/linear/registry.h"
+
+#include "cirque/linear/lagged_factorization.h"
 #include "cirque/solver/auto_strategy.h"
-#include "cirque/solver/ceres_line_search_strategy.h"
-#include "cirque/solver/ceres_trust_region_strategy.h"
-#include "cirque/solver/newton_amg_strategy.h"
-#include "cirque/solver/newton_cg_strategy.h"
+#include "cirque/solver/ceres_strategies.h"
+#include "cirque/solver/inexact_newton_strategies.h"
 #include "cirque/solver/newton_strategy.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -39,7 +39,7 @@ std::vector<std::string> KnownStrategyNames() {
 }
 
 std::unique_ptr<SystemSolver> SolverStrategy::MakeSystemSolver(int) const {
-  return std::make_unique<ReusedFactor>(MakeCholesky(), kFactorIterations);
+  return std::make_unique<LaggedFactorization>(MakeCholesky(), kFactorIterations);
 }
 
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,

@@ -33,7 +33,7 @@ class SolverStrategy {
                                 Eigen::VectorXd* x) const = 0;
 
   /// What shall solve the systems of a start with this many unknowns, to be handed on to Minimize
-  /// as control.system_solver. Unless the strategy has another: a ReusedFactor.
+  /// as control.system_solver. Unless the strategy has another: a LaggedFactorization.
   virtual std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const;
 };
 

@@ -4,7 +4,7 @@
 
 #include <ceres/sized_cost_function.h>
 
-#include "cirque/energy/laplacian_assembler.h"
+#include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/math/scalar_jet.h"
 

@@ -55,11 +55,11 @@ TEST(LargeBuffer, KeepsWhatItGrewTo) {
   ExpectWritable(buffer, 3 * kCount);
 }
 
-TEST(LargeBuffer, ExpectsMoreOrLessThanIsWanted) {
+TEST(LargeBuffer, ReservesAheadMoreOrLessThanIsNeeded) {
   for (const std::size_t expected : {kCount / 100, kCount, 3 * kCount}) {
     LargeBuffer buffer;
-    buffer.Expect(expected);
-    buffer.Expect(2 * kCount);
+    buffer.ReserveAhead(expected);
+    buffer.ReserveAhead(2 * kCount);
     ASSERT_TRUE(buffer.Reserve(kCount));
     buffer.Touch(kCount);
     ExpectWritable(buffer, kCount);

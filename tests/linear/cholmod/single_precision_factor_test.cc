@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/parallel.h"
-#include "cirque/linear/cholmod/cholmod_cholesky.h"
-#include "cirque/linear/reused_factor.h"
+#include "cirque/linear/lagged_factorization.h"
+#include "cirque/linear/registry.h"
 
 #include "tests/linear/cholmod/analysed_factor.h"
 #include "tests/linear/grid_matrix.h"
@@ -22,7 +22,7 @@ class SinglePrecisionFactorTest : public ::testing::Test {
  protected:
   void FactorRoughly(const SparseMatrix& lower) {
     ASSERT_TRUE(cholesky_->Factorize(lower));
-    cholesky_->KeepRoughly();
+    cholesky_->KeepInSinglePrecision();
   }
 
   /// |x - A^-1 b| / |A^-1 b|
@@ -62,7 +62,7 @@ TEST_F(SinglePrecisionFactorTest, DoesNotDependOnTheNumberOfThreads) {
 
 TEST_F(SinglePrecisionFactorTest, LastsUntilTheNextFactorization) {
   FactorRoughly(lower_);
-  cholesky_->KeepRoughly();
+  cholesky_->KeepInSinglePrecision();
   EXPECT_LT(Error(lower_), 1e-5);
   ASSERT_TRUE(cholesky_->Factorize(lower_));
   EXPECT_LT(Error(lower_), 1e-12);
@@ -78,7 +78,7 @@ TEST_F(SinglePrecisionFactorTest, IsLeftDoubleWhereSingleHasNoSuchNumbers) {
 }
 
 TEST_F(SinglePrecisionFactorTest, WithoutAFactorNothingHappens) {
-  cholesky_->KeepRoughly();
+  cholesky_->KeepInSinglePrecision();
   FactorRoughly(lower_);
   EXPECT_LT(Error(lower_), 1e-5);
 }
@@ -86,7 +86,7 @@ TEST_F(SinglePrecisionFactorTest, WithoutAFactorNothingHappens) {
 TEST(SinglePrecisionFactor, IllConditionedSystemsAreSolvedAllTheSame) {
   const SparseMatrix lower = GridMatrix(kSide, 1e-11);  // all but singular
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 3);
-  ReusedFactor factor(MakeCholesky("cholmod"), 10);
+  LaggedFactorization factor(MakeCholesky("cholmod"), 10);
   SolveSummary summary;
   Eigen::VectorXd x;
   for (int i = 0; i < 2; ++i) {
@@ -100,7 +100,7 @@ TEST(SinglePrecisionFactor, IllConditionedSystemsAreSolvedAllTheSame) {
 TEST(SinglePrecisionFactor, IsNotWhatItsOwnSystemIsSolvedWith) {
   const SparseMatrix lower = GridMatrix(kSide, 0.1, 0.5), other = GridMatrix(kSide, 0.1, 0.51);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(lower.cols(), -1, 3);
-  ReusedFactor factor(MakeCholesky("cholmod"), 10);
+  LaggedFactorization factor(MakeCholesky("cholmod"), 10);
   SolveSummary summary;
   Eigen::VectorXd x;
   const auto residual = [&](const SparseMatrix& matrix) {
@@ -117,20 +117,20 @@ TEST(SinglePrecisionFactor, IsNotWhatItsOwnSystemIsSolvedWith) {
 /// The factor of a grid, analysed only.
 class SupernodalTreeTest : public ::testing::Test {
  protected:
-  /// Of each supernode: the number of its branches among all groups', -1 in the trunk.
+  /// Of each supernode: the number of its subtrees among all groups', -1 in the top.
   std::vector<int> Places() const {
     std::vector<int> place(tree_.num_supernodes(), -2);
     int count = 0;
     for (const auto& group : tree_.groups()) {
-      for (const auto& branches : group) {
-        for (int s = branches.begin; s < branches.end; ++s) {
+      for (const auto& subtrees : group) {
+        for (int s = subtrees.begin; s < subtrees.end; ++s) {
           EXPECT_EQ(place[s], -2) << "twice";
           place[s] = count;
         }
         ++count;
       }
     }
-    for (const int s : tree_.trunk()) place[s] = place[s] == -2 ? -1 : -3;
+    for (const int s : tree_.top_supernodes()) place[s] = place[s] == -2 ? -1 : -3;
     return place;
   }
 
@@ -138,7 +138,7 @@ class SupernodalTreeTest : public ::testing::Test {
   const SupernodalTree tree_{analysed_.factor()};
 };
 
-TEST_F(SupernodalTreeTest, EverySupernodeHasOnePlaceAndBranchesDoNotSeeEachOther) {
+TEST_F(SupernodalTreeTest, EverySupernodeHasOneGroupAndSubtreesDoNotSeeEachOther) {
   const std::vector<int> place = Places();
   std::vector<int> place_of_column(analysed_.factor().n);
   for (int s = 0; s < tree_.num_supernodes(); ++s) {
@@ -151,26 +151,26 @@ TEST_F(SupernodalTreeTest, EverySupernodeHasOnePlaceAndBranchesDoNotSeeEachOther
     for (int k = 0; k < tree_.NumRows(s); ++k) {
       const bool near = k < tree_.NumNear(s);
       ASSERT_EQ(place_of_column[tree_.Rows(s)[k]], near ? place[s] : -1);
-      ASSERT_EQ(tree_.TrunkNumber(tree_.Rows(s)[k]) >= 0, place[s] == -1 || !near);
+      ASSERT_EQ(tree_.TopNumber(tree_.Rows(s)[k]) >= 0, place[s] == -1 || !near);
     }
   }
 }
 
-TEST_F(SupernodalTreeTest, TheWorkIsDealtOutToManyGroupsAndLittleIsLeftForTheTrunk) {
+TEST_F(SupernodalTreeTest, TheWorkIsDealtOutToManyGroupsAndLittleIsLeftForTheTop) {
   const auto work = [&](int s) { return double(tree_.NumRows(s)) * tree_.NumColumns(s); };
-  double all = 0, of_trunk = 0, most = 0;
+  double all = 0, of_top = 0, most = 0;
   for (int s = 0; s < tree_.num_supernodes(); ++s) all += work(s);
-  for (const int s : tree_.trunk()) of_trunk += work(s);
+  for (const int s : tree_.top_supernodes()) of_top += work(s);
   for (const auto& group : tree_.groups()) {
     double of_group = 0;
-    for (const auto& branches : group) {
-      for (int s = branches.begin; s < branches.end; ++s) of_group += work(s);
+    for (const auto& subtrees : group) {
+      for (int s = subtrees.begin; s < subtrees.end; ++s) of_group += work(s);
     }
     most = std::max(most, of_group);
   }
   EXPECT_GT(most, 0);
   EXPECT_LT(most, 0.15 * all);
-  EXPECT_LT(of_trunk, 0.4 * all);
+  EXPECT_LT(of_top, 0.4 * all);
 }
 
 }  // namespace

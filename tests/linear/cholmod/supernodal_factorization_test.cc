@@ -52,7 +52,7 @@ TEST_F(SupernodalFactorizationTest, GivesTheNumbersOfCholmod) {
   AnalysedFactor cholmods(lower_);
   cholmods.FactorizeByCholmod();
   const Eigen::VectorXd ours = Numbers(ours_.factor()), wanted = Numbers(cholmods.factor());
-  EXPECT_GT(factorization_.tree().trunk().size(), 5U);
+  EXPECT_GT(factorization_.tree().top_supernodes().size(), 5U);
   EXPECT_GT(wanted.norm(), 100);
   EXPECT_LT((ours - wanted).lpNorm<Eigen::Infinity>(), 1e-13 * wanted.lpNorm<Eigen::Infinity>());
 }
@@ -82,8 +82,8 @@ TEST_F(SupernodalFactorizationTest, TakesOtherNumbersInTheSamePattern) {
   EXPECT_LT((Numbers(ours_.factor()) - 2 * numbers).norm(), 1e-14 * numbers.norm());
 }
 
-// A single negative entry is met in its branch, a negative sum of all only by the last pivot.
-TEST_F(SupernodalFactorizationTest, RefusesWhatIsNotPositiveDefiniteInBranchesAndInTheTrunk) {
+// A single negative entry is met in its subtree, a negative sum of all only by the last pivot.
+TEST_F(SupernodalFactorizationTest, RefusesWhatIsNotPositiveDefiniteInSubtreesAndAtTheTop) {
   SparseMatrix negative = lower_;
   const auto& groups = factorization_.tree().groups();
   const int column = factorization_.tree().FirstColumn(groups[3].front().begin);

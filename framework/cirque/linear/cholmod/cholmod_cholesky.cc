@@ -1,7 +1,5 @@
 #ifdef CIRQUE_CHOLMOD
 
-#include "cirque/linear/cholmod/cholmod_cholesky.h"
-
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "cirque/linear/cholmod/large_buffer.h"
 #include "cirque/linear/cholmod/single_precision_factor.h"
 #include "cirque/linear/cholmod/supernodal_factorization.h"
+#include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {
@@ -83,12 +82,12 @@ class CholmodCholesky final : public SparseCholesky {
     *x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
   }
 
-  void Expect(int unknowns) override {
+  void Reserve(int unknowns) override {
     if (unknowns < kManyUnknowns) return;
-    numbers_.Expect(static_cast<std::size_t>(kLeastNumbers * unknowns * std::log2(unknowns)));
+    numbers_.ReserveAhead(static_cast<std::size_t>(kLeastNumbers * unknowns * std::log2(unknowns)));
   }
 
-  void KeepRoughly() override {
+  void KeepInSinglePrecision() override {
     if (!supernodal_ || rounded_) return;
     rounded_ = SinglePrecisionFactor::Round(*factor_, supernodal_->tree());
     if (rounded_) numbers_.Release(rounded_->NumBytes() / sizeof(double) + 1);

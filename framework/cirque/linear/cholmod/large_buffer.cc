@@ -17,7 +17,7 @@ constexpr double kUnsure = 3;      ///< what is expected may be far less than wh
 
 }  // namespace
 
-void LargeBuffer::Expect(std::size_t count) {
+void LargeBuffer::ReserveAhead(std::size_t count) {
   if (data_ || !Allocate(kUnsure * static_cast<double>(count))) return;
   touching_ = std::make_unique<BackgroundTask>([this, count] {
     for (; touched_ < count; touched_ += kTouch) data_.get()[touched_] = 0;

@@ -13,9 +13,9 @@ namespace cirque {
 /// than to compute what comes to stand there.
 class LargeBuffer {
  public:
-  /// Begins to touch the pages of that many numbers beside what the caller does, for a first
+  /// Begins to touch the pages of that many numbers while the caller goes on, for a first
   /// Reserve() of about as many. Does nothing when there is memory already.
-  void Expect(std::size_t count);
+  void ReserveAhead(std::size_t count);
 
   /// Makes room for that many numbers, whose values are undefined, and for some more while nothing
   /// of that is touched. False when memory ran out.

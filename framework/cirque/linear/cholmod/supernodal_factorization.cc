@@ -11,7 +11,7 @@
 namespace cirque {
 namespace {
 
-constexpr int kBlockRows = 256;  ///< of a supernode in the trunk
+constexpr int kBlockRows = 256;  ///< of a supernode in the top
 
 }  // namespace
 
@@ -127,29 +127,29 @@ void SupernodalFactorization::SubtractInBlocks(int s, const Workspace& work) con
   });
 }
 
-void SupernodalFactorization::Pass(int d, int position, std::vector<int>* to_trunk) {
+void SupernodalFactorization::Pass(int d, int position, std::vector<int>* to_top) {
   position_[d] = position;
   if (position == tree_.NumRows(d)) return;
   const int column = tree_.Rows(d)[position];
-  if (to_trunk && tree_.TrunkNumber(column) != kNone) return to_trunk->push_back(d);
+  if (to_top && tree_.TopNumber(column) != kNone) return to_top->push_back(d);
   const int s = tree_.SupernodeOf(column);
   waits_before_[d] = last_waiting_[s];
   last_waiting_[s] = d;
 }
 
-bool SupernodalFactorization::FactorInBranch(const SparseMatrix& lower, int s, Workspace* work,
-                                             std::vector<int>* to_trunk) {
+bool SupernodalFactorization::FactorInSubtree(const SparseMatrix& lower, int s, Workspace* work,
+                                              std::vector<int>* to_top) {
   Fill(lower, s, work->place.get());
   TakeDescendants(s, &work->descendants);
   for (const Descendant& of : work->descendants) {
     Subtract(of, s, of.begin, tree_.NumRows(of.d), work->place.get(), &work->product);
-    Pass(of.d, of.end, to_trunk);
+    Pass(of.d, of.end, to_top);
   }
-  Pass(s, tree_.NumColumns(s), to_trunk);
+  Pass(s, tree_.NumColumns(s), to_top);
   return FactorTrapezoid(Numbers(s));
 }
 
-bool SupernodalFactorization::FactorInTrunk(const SparseMatrix& lower, int s, Workspace* work) {
+bool SupernodalFactorization::FactorAtTop(const SparseMatrix& lower, int s, Workspace* work) {
   Fill(lower, s, work->place.get());
   TakeDescendants(s, &work->descendants);
   SubtractInBlocks(s, *work);
@@ -163,23 +163,23 @@ bool SupernodalFactorization::Compute(const SparseMatrix& lower) {
   waits_before_.resize(tree_.num_supernodes());
   position_.resize(tree_.num_supernodes());
   const int groups = static_cast<int>(tree_.groups().size());
-  std::vector<std::vector<int>> to_trunk(groups);
+  std::vector<std::vector<int>> to_top(groups);
   std::atomic<bool> positive = true;
   ParallelTasks(groups, [&](int g) {
     Workspace work(static_cast<int>(factor_.n));
-    for (const auto& branches : tree_.groups()[g]) {
-      for (int s = branches.begin; s < branches.end && positive; ++s) {
-        if (!FactorInBranch(lower, s, &work, &to_trunk[g])) positive = false;
+    for (const auto& subtrees : tree_.groups()[g]) {
+      for (int s = subtrees.begin; s < subtrees.end && positive; ++s) {
+        if (!FactorInSubtree(lower, s, &work, &to_top[g])) positive = false;
       }
     }
   });
   if (!positive) return false;
-  for (const std::vector<int>& of_group : to_trunk) {
+  for (const std::vector<int>& of_group : to_top) {
     for (const int d : of_group) Pass(d, position_[d], nullptr);
   }
   Workspace work(static_cast<int>(factor_.n));
-  return std::all_of(tree_.trunk().begin(), tree_.trunk().end(),
-                     [&](int s) { return FactorInTrunk(lower, s, &work); });
+  return std::all_of(tree_.top_supernodes().begin(), tree_.top_supernodes().end(),
+                     [&](int s) { return FactorAtTop(lower, s, &work); });
 }
 
 }  // namespace cirque

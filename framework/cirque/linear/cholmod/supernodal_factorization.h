@@ -15,8 +15,8 @@ namespace cirque {
 
 /// Computes the numbers of a supernodal LL' factor that CHOLMOD has analysed, as CHOLMOD does from
 /// one column to the next (left-looking; Y. Chen, T. Davis, W. Hager, S. Rajamanickam, "Algorithm
-/// 887", ACM Trans. Math. Softw. 35, 2008), but on all cores: the branches of the elimination tree
-/// at once, then the supernodes of the trunk one after another, each by blocks of rows. The result
+/// 887", ACM Trans. Math. Softw. 35, 2008), but on all cores: the subtrees of the elimination tree
+/// at once, then the supernodes of the top one after another, each by blocks of rows. The result
 /// does not depend on the number of threads.
 class SupernodalFactorization final : public SupernodeNumbers {
  public:
@@ -50,12 +50,11 @@ class SupernodalFactorization final : public SupernodeNumbers {
                 std::vector<double>* product) const;
   void SubtractInBlocks(int s, const Workspace& work) const;
 
-  /// Has d wait for the supernode of its next row; in `to_trunk`, if given, when that is there.
-  void Pass(int d, int position, std::vector<int>* to_trunk);
+  /// Has d wait for the supernode of its next row; in `to_top`, if given, when that is there.
+  void Pass(int d, int position, std::vector<int>* to_top);
 
-  bool FactorInBranch(const SparseMatrix& lower, int s, Workspace* work,
-                      std::vector<int>* to_trunk);
-  bool FactorInTrunk(const SparseMatrix& lower, int s, Workspace* work);
+  bool FactorInSubtree(const SparseMatrix& lower, int s, Workspace* work, std::vector<int>* to_top);
+  bool FactorAtTop(const SparseMatrix& lower, int s, Workspace* work);
 
   const cholmod_factor& factor_;
   const SupernodalTree tree_;

@@ -26,7 +26,7 @@ void SupernodalSolver::Forward(const SupernodeNumbers& numbers, int s, double* f
   const int* row = tree_.Rows(s);
   const int near = tree_.NumNear(s);
   for (int k = columns; k < near; ++k) x[row[k]] += w[k];
-  for (int k = near; k < rows; ++k) far[tree_.TrunkNumber(row[k])] += w[k];
+  for (int k = near; k < rows; ++k) far[tree_.TopNumber(row[k])] += w[k];
 }
 
 void SupernodalSolver::Backward(const SupernodeNumbers& numbers, int s, Eigen::VectorXd* work) {
@@ -41,29 +41,29 @@ void SupernodalSolver::Backward(const SupernodeNumbers& numbers, int s, Eigen::V
 }
 
 void SupernodalSolver::ForwardAll(const SupernodeNumbers& numbers) {
-  const auto& trunk_columns = tree_.trunk_columns();
+  const auto& top_columns = tree_.top_columns();
   ParallelTasks(static_cast<int>(far_.size()), [&](int g) {
-    far_[g].setZero(trunk_columns.size());
-    for (const auto& branches : tree_.groups()[g]) {
-      for (int s = branches.begin; s < branches.end; ++s) {
+    far_[g].setZero(top_columns.size());
+    for (const auto& subtrees : tree_.groups()[g]) {
+      for (int s = subtrees.begin; s < subtrees.end; ++s) {
         Forward(numbers, s, far_[g].data(), &work_[g]);
       }
     }
   });
   for (const Eigen::VectorXd& of_group : far_) {
-    for (std::size_t k = 0; k < trunk_columns.size(); ++k) x_[trunk_columns[k]] += of_group[k];
+    for (std::size_t k = 0; k < top_columns.size(); ++k) x_[top_columns[k]] += of_group[k];
   }
-  for (const int s : tree_.trunk()) Forward(numbers, s, nullptr, &work_.front());
+  for (const int s : tree_.top_supernodes()) Forward(numbers, s, nullptr, &work_.front());
 }
 
 void SupernodalSolver::BackwardAll(const SupernodeNumbers& numbers) {
-  for (auto s = tree_.trunk().rbegin(); s != tree_.trunk().rend(); ++s) {
+  for (auto s = tree_.top_supernodes().rbegin(); s != tree_.top_supernodes().rend(); ++s) {
     Backward(numbers, *s, &work_.front());
   }
   ParallelTasks(static_cast<int>(work_.size()), [&](int g) {
     const auto& group = tree_.groups()[g];
-    for (auto branches = group.rbegin(); branches != group.rend(); ++branches) {
-      for (int s = branches->end; s-- > branches->begin;) Backward(numbers, s, &work_[g]);
+    for (auto subtrees = group.rbegin(); subtrees != group.rend(); ++subtrees) {
+      for (int s = subtrees->end; s-- > subtrees->begin;) Backward(numbers, s, &work_[g]);
     }
   });
 }

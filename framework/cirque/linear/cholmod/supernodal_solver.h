@@ -26,8 +26,8 @@ class SupernodeNumbers {
   virtual void SolveTransposed(int s, double* w) const = 0;
 };
 
-/// Solves with a supernodal factor on all cores: branches of the elimination tree at once, the
-/// trunk after them going forward and before them going back. The result does not depend on the
+/// Solves with a supernodal factor on all cores: subtrees of the elimination tree at once, the
+/// top after them going forward and before them going back. The result does not depend on the
 /// number of threads.
 class SupernodalSolver {
  public:
@@ -39,7 +39,7 @@ class SupernodalSolver {
 
  private:
   /// Solves for the columns of s and takes them out of the rows below: out of x_, or of `far` by
-  /// number where the row belongs to the trunk and s does not.
+  /// number where the row belongs to the top and s does not.
   void Forward(const SupernodeNumbers& numbers, int s, double* far, Eigen::VectorXd* work);
   void Backward(const SupernodeNumbers& numbers, int s, Eigen::VectorXd* work);
 
@@ -49,7 +49,7 @@ class SupernodalSolver {
   const SupernodalTree& tree_;
   const int* order_;
   Eigen::VectorXd x_;                        ///< in the factor's order
-  std::vector<Eigen::VectorXd> far_, work_;  ///< per group: of the trunk's columns, of a supernode
+  std::vector<Eigen::VectorXd> far_, work_;  ///< per group: of the top's columns, of a supernode
 };
 
 }  // namespace cirque

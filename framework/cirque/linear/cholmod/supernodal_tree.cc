@@ -10,7 +10,7 @@ namespace cirque {
 namespace {
 
 constexpr int kGroups = 16;
-constexpr double kLargestBranch = 0.03;  ///< of all work
+constexpr double kLargestSubtree = 0.03;  ///< of all work
 
 }  // namespace
 
@@ -26,8 +26,8 @@ SupernodalTree::SupernodalTree(const cholmod_factor& factor)
     most_rows_ = std::max(most_rows_, NumRows(s));
   }
   const std::vector<int> parent = FindParents();
-  FindTrunk(parent);
-  DealOutBranches(parent);
+  FindTopSupernodes(parent);
+  DealOutSubtrees(parent);
   for (int s = 0; s < num_supernodes(); ++s) num_near_.push_back(CountNear(s));
 }
 
@@ -39,32 +39,32 @@ std::vector<int> SupernodalTree::FindParents() const {
   return parent;
 }
 
-void SupernodalTree::FindTrunk(const std::vector<int>& parent) {
-  std::vector<double> work_of_branch(num_supernodes(), 0);
-  in_trunk_.resize(num_supernodes());
-  trunk_number_.assign(factor_.n, kNone);
+void SupernodalTree::FindTopSupernodes(const std::vector<int>& parent) {
+  std::vector<double> work_of_subtree(num_supernodes(), 0);
+  is_top_.resize(num_supernodes());
+  top_number_.assign(factor_.n, kNone);
   for (int s = 0; s < num_supernodes(); ++s) {
-    work_of_branch[s] += Work(s);
-    if (parent[s] != kNone) work_of_branch[parent[s]] += work_of_branch[s];
-    in_trunk_[s] = work_of_branch[s] > kLargestBranch * work_;
-    if (!in_trunk_[s]) continue;
-    trunk_.push_back(s);
+    work_of_subtree[s] += Work(s);
+    if (parent[s] != kNone) work_of_subtree[parent[s]] += work_of_subtree[s];
+    is_top_[s] = work_of_subtree[s] > kLargestSubtree * work_;
+    if (!is_top_[s]) continue;
+    top_.push_back(s);
     for (int j = FirstColumn(s); j < FirstColumn(s + 1); ++j) {
-      trunk_number_[j] = static_cast<int>(trunk_columns_.size());
-      trunk_columns_.push_back(j);
+      top_number_[j] = static_cast<int>(top_columns_.size());
+      top_columns_.push_back(j);
     }
   }
 }
 
-void SupernodalTree::DealOutBranches(const std::vector<int>& parent) {
+void SupernodalTree::DealOutSubtrees(const std::vector<int>& parent) {
   groups_.resize(kGroups);
   double done = 0;
   int group = 0, begin = 0;
   for (int s = 0; s < num_supernodes(); ++s) {
     done += Work(s);
-    if (in_trunk_[s]) {
+    if (is_top_[s]) {
       begin = s + 1;
-    } else if (parent[s] == kNone || in_trunk_[parent[s]]) {
+    } else if (parent[s] == kNone || is_top_[parent[s]]) {
       groups_[group].push_back({begin, s + 1});
       begin = s + 1;
       group = std::min(kGroups - 1, static_cast<int>(kGroups * done / work_));
@@ -73,11 +73,10 @@ void SupernodalTree::DealOutBranches(const std::vector<int>& parent) {
 }
 
 int SupernodalTree::CountNear(int s) const {
-  if (in_trunk_[s]) return NumRows(s);
-  return static_cast<int>(
-      std::partition_point(Rows(s), Rows(s) + NumRows(s),
-                           [&](int row) { return trunk_number_[row] == kNone; }) -
-      Rows(s));
+  if (is_top_[s]) return NumRows(s);
+  return static_cast<int>(std::partition_point(Rows(s), Rows(s) + NumRows(s),
+                                               [&](int row) { return top_number_[row] == kNone; }) -
+                          Rows(s));
 }
 
 }  // namespace cirque

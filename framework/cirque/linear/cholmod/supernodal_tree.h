@@ -9,15 +9,15 @@
 namespace cirque {
 
 /// The elimination tree of a supernodal factor of CHOLMOD, cut for work on several cores: into
-/// branches that do not see each other, dealt into groups of about equal work, and the trunk of
+/// subtrees that do not see each other, dealt into groups of about equal work, and the top of
 /// large supernodes above them. The cut depends on the factor's pattern alone.
 class SupernodalTree {
  public:
-  /// Supernodes begin to end - 1: one branch, or several side by side.
-  struct Branches {
+  /// Supernodes begin to end - 1: one subtree, or several side by side.
+  struct Subtrees {
     int begin, end;
   };
-  using Group = std::vector<Branches>;
+  using Group = std::vector<Subtrees>;
 
   /// @pre the factor is analysed, and outlives this.
   explicit SupernodalTree(const cholmod_factor& factor);
@@ -38,20 +38,20 @@ class SupernodalTree {
   const std::vector<Group>& groups() const { return groups_; }
 
   /// Its supernodes, increasing.
-  const std::vector<int>& trunk() const { return trunk_; }
+  const std::vector<int>& top_supernodes() const { return top_; }
 
-  /// The columns of the trunk, increasing, and a column's number among them, kNone elsewhere.
-  const std::vector<int>& trunk_columns() const { return trunk_columns_; }
-  int TrunkNumber(int column) const { return trunk_number_[column]; }
+  /// The columns of the top, increasing, and a column's number among them, kNone elsewhere.
+  const std::vector<int>& top_columns() const { return top_columns_; }
+  int TopNumber(int column) const { return top_number_[column]; }
 
-  /// How many rows of s come before those that lie in the trunk while s does not.
+  /// How many rows of s come before those that lie in the top while s does not.
   int NumNear(int s) const { return num_near_[s]; }
 
  private:
   double Work(int s) const { return static_cast<double>(NumRows(s)) * NumColumns(s); }
   std::vector<int> FindParents() const;
-  void FindTrunk(const std::vector<int>& parent);
-  void DealOutBranches(const std::vector<int>& parent);
+  void FindTopSupernodes(const std::vector<int>& parent);
+  void DealOutSubtrees(const std::vector<int>& parent);
   int CountNear(int s) const;
 
   const cholmod_factor& factor_;
@@ -59,9 +59,9 @@ class SupernodalTree {
   double work_ = 0;  ///< of all
   int most_rows_ = 0;
   std::vector<int> supernode_;
-  std::vector<bool> in_trunk_;
+  std::vector<bool> is_top_;
   std::vector<Group> groups_;
-  std::vector<int> trunk_, trunk_columns_, trunk_number_, num_near_;
+  std::vector<int> top_, top_columns_, top_number_, num_near_;
 };
 
 }  // namespace cirque

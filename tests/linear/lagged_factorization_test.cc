@@ -1,9 +1,10 @@
-#include "cirque/linear/reused_factor.h"
+#include "cirque/linear/lagged_factorization.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "cirque/linear/registry.h"
 #include "cirque/solver/auto_strategy.h"
 
 #include "tests/linear/grid_matrix.h"
@@ -25,7 +26,7 @@ SparseMatrix PathMatrix(const Eigen::VectorXd& weight) {
   return lower;
 }
 
-class ReusedFactorTest : public ::testing::Test {
+class LaggedFactorizationTest : public ::testing::Test {
  protected:
   /// |A x - b| / |b| of a solve with these weights.
   double Residual(const Eigen::VectorXd& weight, double tolerance) {
@@ -40,12 +41,12 @@ class ReusedFactorTest : public ::testing::Test {
     return (lower.selfadjointView<Eigen::Lower>() * x - b).norm() / b.norm();
   }
 
-  ReusedFactor factor_{MakeCholesky(), 6};
+  LaggedFactorization factor_{MakeCholesky(), 6};
   SolveSummary summary_;
   const Eigen::VectorXd ones_ = Eigen::VectorXd::Ones(50);
 };
 
-TEST_F(ReusedFactorTest, SmallChangesTakeIterationsNotFactors) {
+TEST_F(LaggedFactorizationTest, SmallChangesTakeIterationsNotFactors) {
   EXPECT_LT(Residual(ones_, 1e-10), 1e-10);
   EXPECT_EQ(summary_.factorizations, 1);
   EXPECT_LT(Residual(1.01 * ones_ + 0.01 * Eigen::VectorXd::LinSpaced(50, -1, 1), 1e-8), 1e-8);
@@ -53,7 +54,7 @@ TEST_F(ReusedFactorTest, SmallChangesTakeIterationsNotFactors) {
   EXPECT_GT(summary_.cg_iterations, 1);
 }
 
-TEST_F(ReusedFactorTest, LargeChangesAreFactoredAnew) {
+TEST_F(LaggedFactorizationTest, LargeChangesAreFactoredAnew) {
   EXPECT_LT(Residual(ones_, 1e-10), 1e-10);
   const Eigen::VectorXd wild = Eigen::VectorXd::LinSpaced(50, -4, 4).array().exp();
   EXPECT_LT(Residual(wild, 1e-8), 1e-8);
@@ -61,7 +62,7 @@ TEST_F(ReusedFactorTest, LargeChangesAreFactoredAnew) {
   EXPECT_EQ(summary_.symbolic_analyses, 1);
 }
 
-TEST_F(ReusedFactorTest, AFewStrongChangesTakeIterationsNotFactors) {
+TEST_F(LaggedFactorizationTest, AFewStrongChangesTakeIterationsNotFactors) {
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(400);
   EXPECT_LT(Residual(weight, 1e-10), 1e-10);
   const int before = summary_.cg_iterations;
@@ -73,7 +74,7 @@ TEST_F(ReusedFactorTest, AFewStrongChangesTakeIterationsNotFactors) {
   EXPECT_GT(summary_.cg_iterations, before + 1);
 }
 
-TEST_F(ReusedFactorTest, MoreStrongChangesThanIterationsTakeNoFactor) {
+TEST_F(LaggedFactorizationTest, MoreStrongChangesThanIterationsTakeNoFactor) {
   // Ten different changes are ten eigenvalues apart: the factor alone would need eleven iterations.
   constexpr int kSide = 40;
   SparseMatrix grid = GridMatrix(kSide, 1e-3);
@@ -89,10 +90,10 @@ TEST_F(ReusedFactorTest, MoreStrongChangesThanIterationsTakeNoFactor) {
   EXPECT_EQ(summary_.factorizations, 1);
 }
 
-TEST_F(ReusedFactorTest, AFactorIsMadeWhereTheWayIsLong) {
+TEST_F(LaggedFactorizationTest, AFactorIsMadeWhereTheWayIsLong) {
   const SparseMatrix grid = GridMatrix(40, 1e-3), other = GridMatrix(40, 1e-3, 1);
   for (const double goal : {1e-1, 1e-10}) {
-    ReusedFactor factor(MakeCholesky(), 6);
+    LaggedFactorization factor(MakeCholesky(), 6);
     SolveSummary summary;
     Eigen::VectorXd x;
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(grid.cols(), 1, 3);
@@ -107,7 +108,7 @@ TEST_F(ReusedFactorTest, AFactorIsMadeWhereTheWayIsLong) {
   }
 }
 
-TEST_F(ReusedFactorTest, AnIndefiniteMatrixIsRefused) {
+TEST_F(LaggedFactorizationTest, AnIndefiniteMatrixIsRefused) {
   Eigen::VectorXd x;
   EXPECT_FALSE(factor_.Solve(PathMatrix(-ones_), ones_, {1e-8}, &x, &summary_));
 }
@@ -134,8 +135,8 @@ class Coshes final : public Energy {
 
 TEST(AutoStrategy, SaysWhatItChoseAndWhy) {
   const AutoStrategy strategy{SolverLimits()};
-  ReusedFactor factor(MakeCholesky(), 6);
-  for (ReusedFactor* given : {static_cast<ReusedFactor*>(nullptr), &factor}) {
+  LaggedFactorization factor(MakeCholesky(), 6);
+  for (LaggedFactorization* given : {static_cast<LaggedFactorization*>(nullptr), &factor}) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
     SolveControl control;
     control.system_solver = given;

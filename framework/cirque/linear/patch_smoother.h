@@ -15,11 +15,11 @@ namespace cirque {
 /// of Gauss-Seidel over those rows and what is near them, forwards before the factor is applied and
 /// backwards after it (a multiplicative Schwarz method; Saad, Iterative methods, 14.3). Conjugate
 /// gradients would take several iterations for every place where a few rows changed.
-class LocalSmoother {
+class PatchSmoother {
  public:
   /// For `lower`, when a factor of the matrix with this diagonal is at hand. Has no rows, and does
   /// nothing, where no diagonal entry changed much or so many did that local work would not help.
-  LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before);
+  PatchSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before);
 
   /// x approximates A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
   void Apply(const Eigen::VectorXd& b, const Preconditioner& solve, Eigen::VectorXd* x);

@@ -1,11 +1,11 @@
-#include "cirque/linear/reused_factor.h"
+#include "cirque/linear/lagged_factorization.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "cirque/core/timer.h"
 #include "cirque/linear/conjugate_gradients.h"
-#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/patch_smoother.h"
 #include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
@@ -16,8 +16,9 @@ constexpr double kLeastDecades = 0.1;
 
 }  // namespace
 
-bool ReusedFactor::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                         const SolveAccuracy& accuracy, Eigen::VectorXd* x, SolveSummary* summary) {
+bool LaggedFactorization::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                                const SolveAccuracy& accuracy, Eigen::VectorXd* x,
+                                SolveSummary* summary) {
   if (!PaysToFactor(accuracy.goal) &&
       IterateOnFactor(lower, right_side, accuracy.tolerance, x, summary)) {
     return true;
@@ -25,36 +26,38 @@ bool ReusedFactor::Solve(const SparseMatrix& lower, const Eigen::VectorXd& right
   return SolveOnOwnFactor(lower, right_side, accuracy.tolerance, x, summary);
 }
 
-bool ReusedFactor::SolveOnOwnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                                    double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
+bool LaggedFactorization::SolveOnOwnFactor(const SparseMatrix& lower,
+                                           const Eigen::VectorXd& right_side, double tolerance,
+                                           Eigen::VectorXd* x, SolveSummary* summary) {
   if (!Factorize(lower, summary)) return false;
   const Timer timer;
   *x = cholesky_->Solve(right_side);
   ++summary->linear_solves;
-  cholesky_->KeepRoughly();
+  cholesky_->KeepInSinglePrecision();
   const Eigen::VectorXd rest = right_side - lower.selfadjointView<Eigen::Lower>() * *x;
-  const double wanted = tolerance * right_side.norm(), left = rest.norm();
+  const double target = tolerance * right_side.norm(), left = rest.norm();
   summary->solve_seconds += timer.Seconds();
-  if (left > wanted) {
+  if (left > target) {
     // Only rounding can be the reason, so whatever this reaches is as near as it gets.
     Eigen::VectorXd correction;
-    IterateOnFactor(lower, rest, wanted / left, &correction, summary);
+    IterateOnFactor(lower, rest, target / left, &correction, summary);
     *x += correction;
   }
   iterations_a_decade_ = 0;
   return x->allFinite();
 }
 
-bool ReusedFactor::PaysToFactor(double goal) const {
+bool LaggedFactorization::PaysToFactor(double goal) const {
   const double decades = std::max(0.0, -std::log10(goal));
   return (iterations_a_decade_ - kWithNewFactor) * decades > max_cg_iterations_;
 }
 
-bool ReusedFactor::IterateOnFactor(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
-                                   double tolerance, Eigen::VectorXd* x, SolveSummary* summary) {
+bool LaggedFactorization::IterateOnFactor(const SparseMatrix& lower,
+                                          const Eigen::VectorXd& right_side, double tolerance,
+                                          Eigen::VectorXd* x, SolveSummary* summary) {
   if (!has_factor_) return false;
   const Timer timer;
-  LocalSmoother smoother(lower, factored_diagonal_);
+  PatchSmoother smoother(lower, factored_diagonal_);
   const auto solve = [this](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
     cholesky_->Solve(b, of_b);
   };
@@ -67,7 +70,7 @@ bool ReusedFactor::IterateOnFactor(const SparseMatrix& lower, const Eigen::Vecto
   return cg.converged && x->allFinite();
 }
 
-bool ReusedFactor::Factorize(const SparseMatrix& lower, SolveSummary* summary) {
+bool LaggedFactorization::Factorize(const SparseMatrix& lower, SolveSummary* summary) {
   const Timer timer;
   const int analyses_before = cholesky_->symbolic_analyses();
   has_factor_ = cholesky_->Factorize(lower);

@@ -1,7 +1,9 @@
-#include "cirque/energy/quadratic_objective.h"
+#include "cirque/energy/quadratic_and_entropy_objectives.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "cirque/math/itakura_saito.h"
 
 namespace cirque {
 
@@ -29,6 +31,25 @@ double QuadraticObjective::ClampReference(double reference, double epsilon) cons
 
 double QuadraticObjective::Margin(double epsilon) const {
   return kind_ == Kind::kUnbounded ? -1 : epsilon;
+}
+
+ScalarJet EntropyObjective::Distance(double reference, double x) const {
+  const ScalarJet kl = KullbackLeibler(x / reference);
+  return {reference * kl.value, kl.slope, kl.curvature / reference};
+}
+
+ResidualJet EntropyObjective::Residual(double reference, double x) const {
+  const ResidualJet r = KullbackLeiblerResidual(x / reference);
+  const double root = std::sqrt(reference);
+  return {root * r.value, r.slope / root};
+}
+
+double EntropyObjective::WithSlope(double reference, double slope) const {
+  return reference * std::exp(slope);
+}
+
+double EntropyObjective::ClampReference(double reference, double epsilon) const {
+  return std::max(reference, epsilon);
 }
 
 }  // namespace cirque

@@ -1,4 +1,4 @@
-#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/patch_smoother.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ Buckets UncoupledPieces(const std::vector<char>& chosen,
 
 }  // namespace
 
-LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before) {
+PatchSmoother::PatchSmoother(const SparseMatrix& lower, const Eigen::VectorXd& diagonal_before) {
   if (diagonal_before.size() != lower.cols()) return;
   std::vector<char> chosen = ChangedRows(lower, diagonal_before);
   const auto count = std::count(chosen.begin(), chosen.end(), true);
@@ -103,7 +103,7 @@ LocalSmoother::LocalSmoother(const SparseMatrix& lower, const Eigen::VectorXd& d
   CollectRows(lower, chosen);
 }
 
-void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen) {
+void PatchSmoother::CollectRows(const SparseMatrix& lower, const std::vector<char>& chosen) {
   const std::vector<std::vector<Coupling>> couplings = CouplingsOf(lower, chosen);
   Buckets pieces = UncoupledPieces(chosen, couplings);
   rows_ = std::move(pieces.item);
@@ -127,7 +127,7 @@ void LocalSmoother::CollectRows(const SparseMatrix& lower, const std::vector<cha
   });
 }
 
-void LocalSmoother::Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) const {
+void PatchSmoother::Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) const {
   double rest = b[rows_[k]];
   for (int p = first_[k]; p < first_[k + 1]; ++p) {
     rest -= entries_[p].value * (*x)[entries_[p].column];
@@ -135,7 +135,7 @@ void LocalSmoother::Relax(int k, const Eigen::VectorXd& b, Eigen::VectorXd* x) c
   (*x)[rows_[k]] = rest / diagonal_[k];
 }
 
-void LocalSmoother::ForEachPiece(const std::function<void(int, int)>& body) const {
+void PatchSmoother::ForEachPiece(const std::function<void(int, int)>& body) const {
   // Tasks of about equal numbers of rows.
   ParallelTasks(kTasks, [&](int task) {
     const auto first_from = [&](int part) {
@@ -146,7 +146,7 @@ void LocalSmoother::ForEachPiece(const std::function<void(int, int)>& body) cons
   });
 }
 
-void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
+void PatchSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
                           Eigen::VectorXd* x) {
   if (rows_.empty()) return solve(b, x);
   if (near_.size() != b.size()) near_.setZero(b.size());
@@ -173,7 +173,7 @@ void LocalSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
   });
 }
 
-Preconditioner LocalSmoother::Around(Preconditioner solve) {
+Preconditioner PatchSmoother::Around(Preconditioner solve) {
   return [this, solve = std::move(solve)](const Eigen::VectorXd& b, Eigen::VectorXd* x) {
     Apply(b, solve, x);
   };

@@ -1,9 +1,8 @@
-#include "cirque/solver/regularization.h"
-
 #include <gtest/gtest.h>
 
-#include "cirque/energy/laplacian_assembler.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/energy/dual_laplacian.h"
+#include "cirque/linear/registry.h"
+#include "cirque/solver/newton_loop.h"
 
 #include "tests/solver/strategy_fixtures.h"
 
@@ -63,19 +62,19 @@ class BoxEnergy final : public Energy {
     return true;
   }
 
-  double LeastHessianShift() const override { return 1e-9; }
+  double LeastDamping() const override { return 1e-9; }
 };
 
-TEST(HessianShift, StepLeavesTheGaugeParameterAlone) {
+TEST(LevenbergMarquardtDamping, StepLeavesTheGaugeParameterAlone) {
   const ChainEnergy energy(5);
-  HessianShift shift(energy);
+  LevenbergMarquardtDamping damping(energy);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(5);
   Eigen::VectorXd gradient(5);
   energy.Gradient(x.data(), gradient.data());
   SparseMatrix lower;
   energy.Hessian(x.data(), &lower);
   const auto cholesky = MakeCholesky();
-  shift.Regularize(&lower);
+  damping.DampHessian(&lower);
   ASSERT_TRUE(cholesky->Factorize(lower));
   const Eigen::VectorXd step = -cholesky->Solve(gradient);
   EXPECT_NEAR(step[2], 0, 1e-14);
@@ -86,7 +85,7 @@ TEST(HessianShift, StepLeavesTheGaugeParameterAlone) {
   EXPECT_LT(gradient.lpNorm<Eigen::Infinity>(), 1e-14);
 }
 
-TEST(HessianShift, EveryNewtonStrategyKeepsTheGauge) {
+TEST(LevenbergMarquardtDamping, EveryNewtonStrategyKeepsTheGauge) {
   const ChainEnergy energy(30);
   for (const char* name : {"newton", "newton_cg"}) {
     Eigen::VectorXd x = Eigen::VectorXd::Constant(30, 0.25);
@@ -97,7 +96,7 @@ TEST(HessianShift, EveryNewtonStrategyKeepsTheGauge) {
   }
 }
 
-TEST(HessianShift, SingularSemiSmoothHessiansAreNoObstacle) {
+TEST(LevenbergMarquardtDamping, SingularSemiSmoothHessiansAreNoObstacle) {
   const BoxEnergy energy;
   for (const char* name : {"newton", "newton_cg"}) {
     Eigen::VectorXd x(2);
@@ -109,38 +108,38 @@ TEST(HessianShift, SingularSemiSmoothHessiansAreNoObstacle) {
   }
 }
 
-// Raising it again and again leaves no trace of the smaller shifts.
-TEST(HessianShift, IsRaisedOnTheHessianAsItWas) {
+// Raising it again and again leaves no trace of the smaller dampings.
+TEST(LevenbergMarquardtDamping, IsRaisedOnTheHessianAsItWas) {
   const ChainEnergy energy(5);
   SparseMatrix lower;
   energy.Hessian(Eigen::VectorXd::Random(5).eval().data(), &lower);
   const SparseMatrix before = lower;
-  HessianShift shift(energy);
-  shift.Regularize(&lower);
-  while (shift.shift() < 1e3) ASSERT_TRUE(shift.Raise(&lower));
+  LevenbergMarquardtDamping damping(energy);
+  damping.DampHessian(&lower);
+  while (damping.damping() < 1e3) ASSERT_TRUE(damping.Raise(&lower));
   for (int i = 0; i < 5; ++i) {
-    const double wanted = before.coeff(i, i) + shift.shift();
+    const double wanted = before.coeff(i, i) + damping.damping();
     EXPECT_EQ(lower.coeff(i, i), i == 2 ? 2 * wanted : wanted);
   }
   EXPECT_EQ(lower.coeff(1, 0), before.coeff(1, 0));
 }
 
-TEST(HessianShift, RaisesOnShortStepsAndLowersAfterFullOnes) {
+TEST(LevenbergMarquardtDamping, RaisesOnShortStepsAndLowersAfterFullOnes) {
   const BoxEnergy energy;
-  HessianShift shift(energy);
-  EXPECT_EQ(shift.shift(), 1e-9);
-  shift.Adapt(0.5);
-  EXPECT_EQ(shift.shift(), 1e-9);
-  shift.Adapt(0.001);
-  EXPECT_EQ(shift.shift(), 1e-5);
-  shift.Adapt(0.001);
-  EXPECT_NEAR(shift.shift(), 1e-3, 1e-18);
-  shift.Adapt(1);
-  EXPECT_NEAR(shift.shift(), 1e-5, 1e-18);
-  for (int i = 0; i < 9; ++i) shift.Adapt(1);
-  EXPECT_EQ(shift.shift(), 1e-9);
+  LevenbergMarquardtDamping damping(energy);
+  EXPECT_EQ(damping.damping(), 1e-9);
+  damping.Adapt(0.5);
+  EXPECT_EQ(damping.damping(), 1e-9);
+  damping.Adapt(0.001);
+  EXPECT_EQ(damping.damping(), 1e-5);
+  damping.Adapt(0.001);
+  EXPECT_NEAR(damping.damping(), 1e-3, 1e-18);
+  damping.Adapt(1);
+  EXPECT_NEAR(damping.damping(), 1e-5, 1e-18);
+  for (int i = 0; i < 9; ++i) damping.Adapt(1);
+  EXPECT_EQ(damping.damping(), 1e-9);
   int raises = 0;
-  while (shift.Raise()) ++raises;
+  while (damping.Raise()) ++raises;
   EXPECT_GT(raises, 5);
   EXPECT_LT(raises, 12);
 }

@@ -8,16 +8,16 @@
 
 namespace cirque {
 
-/// Solves by conjugate gradients, preconditioned with the last factor, kept roughly
-/// (SparseCholesky::KeepRoughly), and, where the matrix has changed strongly in few places, with a
-/// LocalSmoother there; with a factor of the system's own, in double, when those take longer than
+/// Solves by conjugate gradients, preconditioned with the last factor, kept in single
+/// (SparseCholesky::KeepInSinglePrecision), and, where the matrix has changed strongly in few places, with a
+/// PatchSmoother there; with a factor of the system's own, in double, when those take longer than
 /// factoring anew would.
-class ReusedFactor final : public SystemSolver {
+class LaggedFactorization final : public SystemSolver {
  public:
   /// `max_cg_iterations`: of a system before its matrix is factored. On the graph of a mesh an
   /// iteration costs about a twentieth of analysis and factorization, whatever the size. A goal far
   /// away makes factoring pay earlier: when the iterations on all the way there would be more.
-  ReusedFactor(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
+  LaggedFactorization(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
   void Prepare(const SparseMatrix& lower) override { cholesky_->Prepare(lower); }

@@ -1,4 +1,4 @@
-#include "cirque/linear/local_smoother.h"
+#include "cirque/linear/patch_smoother.h"
 
 #include <functional>
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/linear/conjugate_gradients.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/registry.h"
 
 #include "tests/linear/grid_matrix.h"
 
@@ -18,9 +18,9 @@ namespace {
 using Eigen::VectorXd;
 
 /// A grid's Laplacian M with its factor, and A, which is M but for a few edges.
-class LocalSmootherTest : public ::testing::Test {
+class PatchSmootherTest : public ::testing::Test {
  protected:
-  explicit LocalSmootherTest(int side = 40)
+  explicit PatchSmootherTest(int side = 40)
       : side_(side), before_(GridMatrix(side, 1e-3, 0.2)), now_(before_) {
     EXPECT_TRUE(cholesky_->Factorize(before_));
   }
@@ -37,7 +37,7 @@ class LocalSmootherTest : public ::testing::Test {
     }
   }
 
-  VectorXd Apply(LocalSmoother* smoother, const VectorXd& b) {
+  VectorXd Apply(PatchSmoother* smoother, const VectorXd& b) {
     VectorXd x;
     smoother->Apply(b, solve_, &x);
     return x;
@@ -56,9 +56,9 @@ class LocalSmootherTest : public ::testing::Test {
   const Preconditioner solve_ = [this](const VectorXd& b, VectorXd* x) { cholesky_->Solve(b, x); };
 };
 
-TEST_F(LocalSmootherTest, IsSymmetricAndPositive) {
+TEST_F(PatchSmootherTest, IsSymmetricAndPositive) {
   ChangeEdges(10, 0.02, 3);
-  LocalSmoother smoother(now_, before_.diagonal());
+  PatchSmoother smoother(now_, before_.diagonal());
   ASSERT_GE(smoother.num_rows(), 20);
   EXPECT_LT(smoother.num_rows(), side_ * side_ / 4) << "not local";
   for (int i = 0; i < 20; ++i) {
@@ -70,25 +70,25 @@ TEST_F(LocalSmootherTest, IsSymmetricAndPositive) {
   }
 }
 
-TEST_F(LocalSmootherTest, DoesNotDependOnTheNumberOfThreads) {
+TEST_F(PatchSmootherTest, DoesNotDependOnTheNumberOfThreads) {
   ChangeEdges(10, 0.02, 3);
   const VectorXd b = RandomVector();
-  LocalSmoother smoother(now_, before_.diagonal());
+  PatchSmoother smoother(now_, before_.diagonal());
   const VectorXd x = Apply(&smoother, b);
   const ThreadLimit limit(1);
-  LocalSmoother alone(now_, before_.diagonal());
+  PatchSmoother alone(now_, before_.diagonal());
   EXPECT_EQ(Apply(&alone, b), x);
   EXPECT_EQ(Apply(&alone, b), x) << "something of the last right side was left";
   EXPECT_GT((x - Solve(b)).norm(), 1e-3 * b.norm());
 }
 
 /// Small enough to look at all eigenvalues.
-class SmallLocalSmootherTest : public LocalSmootherTest {
+class SmallPatchSmootherTest : public PatchSmootherTest {
  protected:
-  SmallLocalSmootherTest() : LocalSmootherTest(15) {}
+  SmallPatchSmootherTest() : PatchSmootherTest(15) {}
 
   /// Those of L' B L, A = L L': they are those of B A.
-  VectorXd Eigenvalues(LocalSmoother* smoother) {
+  VectorXd Eigenvalues(PatchSmoother* smoother) {
     const Eigen::MatrixXd a = Eigen::MatrixXd(now_).selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd l = a.llt().matrixL();
     Eigen::MatrixXd image = l;
@@ -99,18 +99,18 @@ class SmallLocalSmootherTest : public LocalSmootherTest {
   }
 };
 
-TEST_F(SmallLocalSmootherTest, BringsTheSpectrumTogether) {
+TEST_F(SmallPatchSmootherTest, BringsTheSpectrumTogether) {
   ChangeEdges(2, 100);
-  LocalSmoother smoother(now_, before_.diagonal()), nothing(now_, now_.diagonal());
+  PatchSmoother smoother(now_, before_.diagonal()), nothing(now_, now_.diagonal());
   const VectorXd with = Eigenvalues(&smoother), without = Eigenvalues(&nothing);
   EXPECT_GT(with.minCoeff(), 0.5);
   EXPECT_LT(with.maxCoeff(), 2);
   EXPECT_GT(without.maxCoeff(), 20);
 }
 
-TEST_F(LocalSmootherTest, ConjugateGradientsNeedFewerIterations) {
+TEST_F(PatchSmootherTest, ConjugateGradientsNeedFewerIterations) {
   ChangeEdges(12, 2);
-  LocalSmoother smoother(now_, before_.diagonal());
+  PatchSmoother smoother(now_, before_.diagonal());
   const VectorXd b = VectorXd::LinSpaced(side_ * side_, 1, 3);
   VectorXd x;
   const CgResult without = ConjugateGradients(now_, b, solve_, 1e-6, 1000, &x);
@@ -120,7 +120,7 @@ TEST_F(LocalSmootherTest, ConjugateGradientsNeedFewerIterations) {
   EXPECT_LT((Image(x) - b).norm(), 1.01e-6 * b.norm());
 }
 
-TEST_F(LocalSmootherTest, LeavesTheFactorAloneWhereLocalWorkIsNoUse) {
+TEST_F(PatchSmootherTest, LeavesTheFactorAloneWhereLocalWorkIsNoUse) {
   ChangeEdges(3, 100);
   const VectorXd diagonal = now_.diagonal();
   VectorXd half = diagonal;
@@ -129,16 +129,16 @@ TEST_F(LocalSmootherTest, LeavesTheFactorAloneWhereLocalWorkIsNoUse) {
   // Unchanged, hardly changed, of another system, changed in half of the rows.
   for (const VectorXd& before :
        {diagonal, VectorXd(1.01 * diagonal), VectorXd(), VectorXd(diagonal.head(side_)), half}) {
-    LocalSmoother smoother(now_, before);
+    PatchSmoother smoother(now_, before);
     EXPECT_EQ(smoother.num_rows(), 0);
     EXPECT_EQ(Apply(&smoother, b), Solve(b));
   }
 }
 
-TEST_F(LocalSmootherTest, KeepsAnExactFactorExact) {
+TEST_F(PatchSmootherTest, KeepsAnExactFactorExact) {
   VectorXd altered = before_.diagonal();
   for (const int row : {0, 517, 518, 900}) altered[row] *= 0.3;
-  LocalSmoother smoother(now_, altered);
+  PatchSmoother smoother(now_, altered);
   ASSERT_GT(smoother.num_rows(), 4);
   const VectorXd b = RandomVector(), x = Apply(&smoother, b);
   EXPECT_LT((x - Solve(b)).norm(), 1e-10 * x.norm());

@@ -1,0 +1,127 @@
+#include "cirque/solver/inexact_newton_strategies.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "cirque/linear/lagged_factorization.h"
+#include "cirque/linear/registry.h"
+#include "cirque/solver/newton_loop.h"
+
+namespace cirque {
+
+namespace {
+
+constexpr int kMaxAttempts = 12;
+constexpr double kLeastForcing = 1e-4;
+constexpr double kShareOfGoal = 0.3;  ///< what the last system may leave of the gradient tolerance
+
+/// Solves each Newton system, with a damping where the matrix turns out not to be positive definite.
+class InexactDirection {
+ public:
+  InexactDirection(double forcing, SystemSolver* solver, SolveRun* run)
+      : forcing_(forcing), solver_(solver), run_(run) {}
+
+  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                  LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction) {
+    if (!run_->Hessian(x, &hessian_)) return false;
+    damping->DampHessian(&hessian_);
+    const double goal = run_->gradient_tolerance() / gradient.lpNorm<Eigen::Infinity>();
+    const SolveAccuracy accuracy = {Forcing(gradient.norm(), goal), goal};
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+      const bool solved =
+          solver_->Solve(hessian_, -gradient, accuracy, direction, &run_->summary());
+      if (solved && direction->dot(gradient) < 0) return true;
+      if (!damping->Raise(&hessian_)) return false;
+    }
+    return false;
+  }
+
+ private:
+  /// How tightly to solve at this gradient norm, from which the whole solve is to go down by
+  /// `goal`.
+  double Forcing(double norm, double goal) {
+    const double ratio = norm / last_norm_;
+    last_norm_ = norm;
+    return std::min(forcing_, std::max({ratio * ratio, kShareOfGoal * goal, kLeastForcing}));
+  }
+
+  const double forcing_;
+  SystemSolver* solver_;
+  SolveRun* run_;
+  SparseMatrix hessian_;
+  double last_norm_ = 0;  ///< 0: none, the first system is solved loosely
+};
+
+}  // namespace
+
+void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x) {
+  InexactDirection direction(forcing, solver, run);
+  IterateNewton(std::ref(direction), run, x);
+}
+
+const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
+  static const OptionTable<NewtonCgOptions> kTable("newton_cg", [] {
+    auto fields = LimitFields<NewtonCgOptions>();
+    fields.push_back({"linear_solver", &NewtonCgOptions::linear_solver, 0, 0,
+                      LinearSolvers().Names(), "sparse Cholesky; default: the first"});
+    for (auto& field : InexactNewtonFields<NewtonCgOptions>(
+             "conjugate gradient iterations a step before factoring anew")) {
+      fields.push_back(std::move(field));
+    }
+    return fields;
+  }());
+  return kTable;
+}
+
+SolveSummary NewtonCgStrategy::Minimize(const Energy& energy, const SolveControl& control,
+                                        Eigen::VectorXd* x) const {
+  SolveRun run("newton_cg", options_, control, energy);
+  LaggedFactorization own(MakeCholesky(options_.linear_solver), options_.max_cg_iterations);
+  SystemSolver* solver = control.system_solver ? control.system_solver : &own;
+  IterateInexactNewton(options_.forcing, solver, &run, x);
+  return run.Finish(*x);
+}
+
+const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable() {
+  using Options = NewtonAmgOptions;
+  static const OptionTable<Options> kTable("newton_amg", [] {
+    auto fields = LimitFields<Options>();
+    fields.push_back({"multigrid",
+                      &Options::multigrid,
+                      0,
+                      0,
+                      {"boomeramg", "gamg"},
+                      "the method; default: boomeramg where PETSc has hypre"});
+    for (auto& field : InexactNewtonFields<Options>(
+             "conjugate gradient iterations a system before factoring it")) {
+      fields.push_back(std::move(field));
+    }
+    return fields;
+  }());
+  return kTable;
+}
+
+SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveControl& control,
+                                         Eigen::VectorXd* x) const {
+  SolveRun run("newton_amg", options_, control, energy);
+  AmgSystemSolver own(options_);
+  SystemSolver* solver = control.system_solver ? control.system_solver : &own;
+  if (SparseMatrix smooth; !control.system_solver && energy.SmoothHessian(x->data(), &smooth)) {
+    LevenbergMarquardtDamping(energy).DampHessian(&smooth);
+    own.PrepareForSystemsNear(smooth, &run.summary());
+  }
+  IterateInexactNewton(options_.forcing, solver, &run, x);
+  SolveSummary summary = run.Finish(*x);
+  if (const std::string remark = solver->Remark(); !remark.empty()) {
+    summary.message += "; " + remark;
+    summary.strategy += ", " + remark;
+  }
+  return summary;
+}
+
+std::unique_ptr<SystemSolver> NewtonAmgStrategy::MakeSystemSolver(int) const {
+  return std::make_unique<AmgSystemSolver>(options_);
+}
+
+}  // namespace cirque
