@@ -1,4 +1,4 @@
-// Follows framework/cirque/energy/README.md: an energy, an objective and a strategy, each in one file pair
+// Follows framework/docs/adding-an-energy.md: an energy, an objective and a strategy, each in one file pair
 // and one line of a table, are audited and used like the framework's own.
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using audit_energies::SampleCase;
 using high_precision::Real;
 
 const Registry<EnergyFactory>& MyEnergies() {
-  static const Registry<EnergyFactory> kTable("energy", {{"spring", MakeSpring}});
+  static const Registry<EnergyFactory> kTable = Energies().With("spring", MakeSpring);
   return kTable;
 }
 
@@ -53,9 +53,11 @@ AuditSamples SpringSamples() {
 
 TEST(AddAnEnergy, ItPassesTheAudit) {
   const Registry<audit_energies::SampleMaker> samples("samples", {{"spring", SpringSamples}});
-  const auto rows = audit_energies::AuditRegistry(MyEnergies(), samples);
+  const Registry<EnergyFactory> spring("energy", {{"spring", *MyEnergies().Find("spring")}});
+  const auto rows = audit_energies::AuditRegistry(spring, samples);
   ASSERT_EQ(rows.size(), 1u);
   ASSERT_TRUE(rows[0].status.ok()) << rows[0].status.message();
+  EXPECT_EQ(MyEnergies().Names().size(), Energies().Names().size() + 1);
   for (const auto& f : rows[0].findings) {
     EXPECT_TRUE(f.ok()) << f.check << " " << f.figure << " at " << f.where;
   }

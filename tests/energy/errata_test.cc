@@ -1,4 +1,4 @@
-// framework/cirque/energy/ERRATA.md in numbers: where the thesis's formula is wrong, and that ours is not.
+// framework/docs/errata.md in numbers: where the thesis's formula is wrong, and that ours is not.
 #include <cmath>
 
 #include <Eigen/Dense>

@@ -19,6 +19,14 @@ class Registry {
   Registry(std::string kind, std::initializer_list<std::pair<std::string, T>> entries)
       : kind_(std::move(kind)), entries_(entries) {}
 
+  /// This table and one line more: how a program adds what it has of its own, without a table that
+  /// changes under others. @pre the name is new.
+  Registry With(std::string name, T value) const {
+    Registry extended = *this;
+    extended.entries_.emplace_back(std::move(name), std::move(value));
+    return extended;
+  }
+
   /// The names, in the order of the table.
   std::vector<std::string> Names() const {
     std::vector<std::string> names;

@@ -19,7 +19,7 @@ namespace cirque {
 /// delta the Itakura-Saito divergence of BarrierObjective, references clamped as it does. Strictly
 /// convex; its domain is alpha > 0, theta > 0. Exact least squares: a residual a corner, in that
 /// angle, and one an edge, in the angles opposite.
-/// ERRATA.md says what is wrong with the printed formula.
+/// docs/errata.md says what is wrong with the printed formula.
 class CoherentAngleBarrier final : public Energy {
  public:
   /// `epsilon` [rad]: the least reference angle.

@@ -4,7 +4,7 @@
 
 namespace cirque {
 
-/// The example of framework/cirque/energy/README.md: delta(x; x0) = cosh(x - x0) - 1.
+/// The example of framework/docs/adding-an-energy.md: delta(x; x0) = cosh(x - x0) - 1.
 class CoshObjective final : public SeparableObjective<CoshObjective> {
  public:
   ScalarJet Distance(double reference, double x) const override;

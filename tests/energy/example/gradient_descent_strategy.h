@@ -12,7 +12,7 @@ struct GradientDescentOptions : SolverLimits {
 
 const OptionTable<GradientDescentOptions>& GradientDescentOptionTable();
 
-/// The example of framework/cirque/energy/README.md: x -= step * gradient.
+/// The example of framework/docs/adding-an-energy.md: x -= step * gradient.
 class GradientDescentStrategy final : public SolverStrategy {
  public:
   explicit GradientDescentStrategy(const GradientDescentOptions& options) : options_(options) {}

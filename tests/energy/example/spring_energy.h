@@ -8,7 +8,7 @@
 
 namespace cirque {
 
-/// The example of framework/cirque/energy/README.md: springs of rest length l_e across the edges of the
+/// The example of framework/docs/adding-an-energy.md: springs of rest length l_e across the edges of the
 /// dual graph, E(x) = sum_int (cosh(x_i - x_j - l_e) - 1), l_e = alpha_i - alpha_j of the
 /// reference. Convex, unchanged by a constant (the gauge: parameter 0).
 class SpringEnergy final : public Energy {
