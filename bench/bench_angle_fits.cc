@@ -16,7 +16,7 @@ Status Fit(const std::string& objective, const std::string& method, int triangle
   const EnergyInput& input = Terrain(triangles);
   return FitAngles(
       {AngleConstraints(input.triangulation, input.targets), input.reference.value, input.epsilon},
-      *AngleObjectives().Find(objective), **MakeAngleFitMethod(method), {}, fit);
+      *AngleObjectives().Find(objective), **MakeAngleSolver(method), {}, fit);
 }
 
 void TimeFit(benchmark::State& state, const std::string& objective, const std::string& method,
@@ -39,7 +39,7 @@ bool Takes(const std::string& method, const std::string& objective) {
 
 [[maybe_unused]] const bool kRegistered = [] {
   for (const std::string& objective : AngleObjectives().Names()) {
-    for (const std::string& method : AngleFitMethods().Names()) {
+    for (const std::string& method : AngleSolvers().Names()) {
       if (!Takes(method, objective)) continue;
       const auto time = [=](benchmark::State& state, int triangles) {
         TimeFit(state, objective, method, triangles);

@@ -17,7 +17,7 @@ void TimeHeuristic(benchmark::State& state, const std::string& name, int triangl
   StatusOr<std::vector<Cone>> cones = std::vector<Cone>();
   for (auto _ : state) {
     // The problem keeps the factor of its Laplacian, which is part of the cost.
-    cones = (*heuristic)->Place(ConeProblem(delaunay.triangulation, delaunay.lengths));
+    cones = (*heuristic)->Choose(ConeProblem(delaunay.triangulation, delaunay.lengths));
   }
   if (!cones.ok()) return state.SkipWithError(cones.status().message().c_str());
   state.counters["cones"] = static_cast<double>(cones->size());

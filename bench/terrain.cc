@@ -25,7 +25,7 @@ std::unique_ptr<const EnergyInput> MakeInput(int triangles) {
   AngleFitResult fit;
   const Status status =
       FitAngles({AngleConstraints(t, input->targets), input->reference.value, input->epsilon},
-                *AngleObjectives().Find("quadratic"), **MakeAngleFitMethod("newton"), {}, &fit);
+                *AngleObjectives().Find("quadratic"), **MakeAngleSolver("newton"), {}, &fit);
   CHECK(status.ok()) << status.message();
   input->coherent = std::move(fit.angles);
   return input;

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
-#include "cirque/cuts/cut_file.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/cuts/edge_files.h"
 #include "cirque/io/cone_file.h"
 
 #include "experiments/circle_patterns/run.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/hole_filling.h"
 #include "cirque/mesh/preflight.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/core/timer.h"
 #include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/parameterize.h"
 

@@ -10,7 +10,7 @@
 #endif
 #include <glog/logging.h>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/intrinsic/corner_angles.h"
 

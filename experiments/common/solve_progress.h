@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cirque/core/solve_summary.h"
-#include "cirque/core/timer.h"
 
 namespace cirque {
 

@@ -27,7 +27,7 @@ Status FitCoherentAngles(EnergyInput* input) {
   AngleFitResult fit;
   Status status =
       FitAngles({constraints, input->reference.value, input->epsilon},
-                *AngleObjectives().Find("quadratic"), **MakeAngleFitMethod("newton"), {}, &fit);
+                *AngleObjectives().Find("quadratic"), **MakeAngleSolver("newton"), {}, &fit);
   input->coherent = std::move(fit.angles);
   input->epsilon = input->coherent.epsilon;
   return status;

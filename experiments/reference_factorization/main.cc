@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/mesh/subdivision.h"

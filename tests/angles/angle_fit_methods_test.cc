@@ -26,7 +26,7 @@ Fitted Fit(const std::string& method, const std::string& objective, const Surfac
            const OptionMap& options = {}) {
   const AngleConstraints constraints(surface.triangulation, targets);
   const CornerAngles reference = AnglesOf(surface);
-  const auto made = MakeAngleFitMethod(method, options);
+  const auto made = MakeAngleSolver(method, options);
   EXPECT_TRUE(made.ok()) << made.status().message();
   Fitted fitted;
   fitted.status = FitAngles({constraints, reference.value, 1e-3},
@@ -46,7 +46,7 @@ double Difference(const Fitted& a, const Fitted& b) {
   return (a.result.angles.value - b.result.angles.value).lpNorm<Eigen::Infinity>();
 }
 
-TEST(AngleFitMethods, AgreeOnTheMinimiserOfEveryObjective) {
+TEST(AngleSolvers, AgreeOnTheMinimiserOfEveryObjective) {
   for (const char* surface_name : {"bumpy_terrain", "capped_tube", "enneper_patch"}) {
     const Surface surface = GeneratedSurface(surface_name, 250);
     for (const std::string& objective : AngleObjectives().Names()) {
@@ -54,7 +54,7 @@ TEST(AngleFitMethods, AgreeOnTheMinimiserOfEveryObjective) {
       const Fitted reference = FlatFit("newton", objective, surface);
       ASSERT_TRUE(reference.status.ok()) << reference.status.message();
       EXPECT_GT((reference.result.angles.value - AnglesOf(surface).value).norm(), 1e-3);
-      for (const std::string& method : AngleFitMethods().Names()) {
+      for (const std::string& method : AngleSolvers().Names()) {
         if (!Takes(method, objective)) continue;
         SCOPED_TRACE(std::string(surface_name) + " " + objective + " " + method);
         const Fitted fitted = FlatFit(method, objective, surface);
@@ -65,10 +65,10 @@ TEST(AngleFitMethods, AgreeOnTheMinimiserOfEveryObjective) {
   }
 }
 
-TEST(AngleFitMethods, MeetTheOptimalityConditionsOfEveryObjective) {
+TEST(AngleSolvers, MeetTheOptimalityConditionsOfEveryObjective) {
   const Surface surface = GeneratedSurface("bumpy_terrain", 300, 3);
   for (const std::string& objective : AngleObjectives().Names()) {
-    for (const std::string& method : AngleFitMethods().Names()) {
+    for (const std::string& method : AngleSolvers().Names()) {
       if (!Takes(method, objective)) continue;
       SCOPED_TRACE(objective + " " + method);
       const Fitted fitted = FlatFit(method, objective, surface);
@@ -86,9 +86,9 @@ TEST(AngleFitMethods, MeetTheOptimalityConditionsOfEveryObjective) {
   }
 }
 
-TEST(AngleFitMethods, SummariesSayWhatWasDone) {
+TEST(AngleSolvers, SummariesSayWhatWasDone) {
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     SCOPED_TRACE(method);
     const SolveSummary solve = FlatFit(method, "quadratic", surface).result.solve;
     EXPECT_TRUE(solve.Converged()) << solve.BriefReport();
@@ -103,7 +103,7 @@ TEST(AngleFitMethods, SummariesSayWhatWasDone) {
   }
 }
 
-TEST(AngleFitMethods, MethodsTakeRangedAngleSums) {
+TEST(AngleSolvers, MethodsTakeRangedAngleSums) {
   // The rim's angle sums are held to a range that binds at some vertices and not at others.
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
   const Triangulation& t = surface.triangulation;
@@ -139,7 +139,7 @@ TEST(AngleFitMethods, MethodsTakeRangedAngleSums) {
   EXPECT_LT(y.minCoeff(), -1e-3);
 }
 
-TEST(AngleFitMethods, FixedSumsAtEveryVertexLeaveAGaugeThatIsHandled) {
+TEST(AngleSolvers, FixedSumsAtEveryVertexLeaveAGaugeThatIsHandled) {
   const Surface fan = Fan(6, 0.5);
   ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
   for (Index v = 1; v <= 6; ++v) targets.lower[v] = targets.upper[v] = (v % 2 ? 5 : 7) * kPi / 9;
@@ -152,9 +152,9 @@ TEST(AngleFitMethods, FixedSumsAtEveryVertexLeaveAGaugeThatIsHandled) {
   }
 }
 
-TEST(AngleFitMethods, EachProvesInfeasibility) {
+TEST(AngleSolvers, EachProvesInfeasibility) {
   const Surface kleetope = Kleetope(GeneratedSurface("bumpy_terrain", 100));
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     SCOPED_TRACE(method);
     const Fitted fitted = FlatFit(method, "quadratic", kleetope);
     EXPECT_EQ(fitted.status.code(), StatusCode::kInfeasible) << fitted.status.message();
@@ -163,27 +163,27 @@ TEST(AngleFitMethods, EachProvesInfeasibility) {
   }
 }
 
-TEST(AngleFitMethods, MarginsShrinkUnderEachMethod) {
+TEST(AngleSolvers, MarginsShrinkUnderEachMethod) {
   const Surface fan = Fan(40, 0.1);
   // 40 corners of 0.12 rad would take more than half of the full angle.
   const AngleConstraints constraints(fan.triangulation, FreeBoundaryTargets(fan.triangulation));
   const CornerAngles reference = AnglesOf(fan);
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     AngleFitResult result;
     const Status status =
         FitAngles({constraints, reference.value, 0.12}, *AngleObjectives().Find("quadratic"),
-                  **MakeAngleFitMethod(method), {}, &result);
+                  **MakeAngleSolver(method), {}, &result);
     ASSERT_TRUE(status.ok()) << method << ": " << status.message();
     EXPECT_LT(result.angles.epsilon, 0.12);
     EXPECT_GE(result.kkt.smallest_angle, result.angles.epsilon - 1e-9);
   }
 }
 
-TEST(AngleFitMethods, EndWhenAsked) {
+TEST(AngleSolvers, EndWhenAsked) {
   const Surface surface = GeneratedSurface("capped_tube", 200);
   const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
   const std::atomic<bool> cancelled = true;
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     SCOPED_TRACE(method);
     EXPECT_EQ(Fit(method, "quadratic", surface, targets, {{}, &cancelled}).status.code(),
               StatusCode::kCancelled);
@@ -205,14 +205,14 @@ TEST(AngleFitMethods, EndWhenAsked) {
   }
 }
 
-TEST(AngleFitMethods, NamesOfSolverStrategiesMeanTheDual) {
+TEST(AngleSolvers, NamesOfSolverStrategiesMeanTheDual) {
   std::set<std::string> names;
-  for (const std::string& name : AngleStrategyNames()) {
+  for (const std::string& name : AngleSolverNames()) {
     EXPECT_TRUE(names.insert(name).second) << name;
-    const Status status = MakeAngleFitMethod(name).status();
+    const Status status = MakeAngleSolver(name).status();
     EXPECT_TRUE(status.ok() || status.message().find("built without") != std::string::npos) << name;
   }
-  const auto unknown = MakeAngleFitMethod("interior_pint");
+  const auto unknown = MakeAngleSolver("interior_pint");
   EXPECT_EQ(unknown.status().code(), StatusCode::kInvalidInput);
   EXPECT_THAT(unknown.status().message(), HasSubstr("did you mean 'interior_point'?"));
   for (const std::string& name : names) {
@@ -220,9 +220,9 @@ TEST(AngleFitMethods, NamesOfSolverStrategiesMeanTheDual) {
   }
 }
 
-TEST(AngleFitMethods, OptionsAreRefusedByNameValueAndBound) {
+TEST(AngleSolvers, OptionsAreRefusedByNameValueAndBound) {
   const auto message = [](const std::string& method, const OptionMap& options) {
-    return MakeAngleFitMethod(method, options).status().message();
+    return MakeAngleSolver(method, options).status().message();
   };
   EXPECT_THAT(message("interior_point", {{"max_iteration", "5"}}),
               HasSubstr("unknown interior_point option 'max_iteration'; did you mean"));
@@ -235,7 +235,7 @@ TEST(AngleFitMethods, OptionsAreRefusedByNameValueAndBound) {
   EXPECT_THAT(message("dual", {{"strategy", "newtn"}}), HasSubstr("did you mean 'newton'?"));
 }
 
-TEST(AngleFitMethods, InteriorPointRefusesWhatIsNotQuadratic) {
+TEST(AngleSolvers, InteriorPointRefusesWhatIsNotQuadratic) {
   const Surface fan = Fan(6, 0.5);
   const Fitted fitted = FlatFit("interior_point", "barrier", fan);
   EXPECT_EQ(fitted.status.code(), StatusCode::kInvalidInput);

@@ -19,7 +19,7 @@ Fitted Fit(const Surface& surface, const ConeTargets& targets, double epsilon = 
   Fitted fitted;
   fitted.status =
       FitAngles({constraints, reference.value, epsilon}, *AngleObjectives().Find("quadratic"),
-                **MakeAngleFitMethod("newton"), {}, &fitted.result);
+                **MakeAngleSolver("newton"), {}, &fitted.result);
   return fitted;
 }
 
@@ -113,7 +113,7 @@ TEST(Infeasibility, MarginOfMultipliersThatProveNothingIsNotPositive) {
   for (int i = 0; i < 20; ++i) {
     const Eigen::VectorXd y = Eigen::VectorXd::Random(constraints.num_rows());
     EXPECT_LT(InfeasibilityMargin(constraints, 1e-3, y), 0);
-    EXPECT_TRUE(ProveInfeasible(constraints, 1e-3, y).empty());
+    EXPECT_TRUE(FindInfeasibilityCertificate(constraints, 1e-3, y).empty());
   }
 }
 

@@ -1,5 +1,3 @@
-#include "cirque/angles/exact_infeasibility.h"
-
 #include <cmath>
 #include <limits>
 
@@ -15,18 +13,20 @@ namespace {
 /// Vertex 1 of a fan of 6 has two corners and must reach `sum` pi: multiplier 1 there is a proof
 /// from 2 on, for margin eps from 2 (1 - 2 eps) on (both opposite edges are inner ones).
 InfeasibilityCertificate TwoCorners(double sum, double epsilon_over_pi = 0) {
-  InfeasibilityCertificate proof;
-  proof.epsilon_over_pi = epsilon_over_pi;
-  proof.face_multiplier.assign(6, 0.0);
-  proof.constrained_vertex = {0, 1};
-  proof.lower_over_pi = proof.upper_over_pi = {2, sum};
-  proof.vertex_multiplier = {0, 1};
-  return proof;
+  InfeasibilityCertificate certificate;
+  certificate.epsilon_over_pi = epsilon_over_pi;
+  certificate.face_multiplier.assign(6, 0.0);
+  certificate.constrained_vertex = {0, 1};
+  certificate.lower_over_pi = certificate.upper_over_pi = {2, sum};
+  certificate.vertex_multiplier = {0, 1};
+  return certificate;
 }
 
 class ExactInfeasibilityCertificate : public ::testing::Test {
  protected:
-  bool Proves(const InfeasibilityCertificate& proof) const { return ProvesExactly(t_, proof); }
+  bool Proves(const InfeasibilityCertificate& certificate) const {
+    return HoldsExactly(t_, certificate);
+  }
   const Triangulation t_ = Fan(6, 0.5).triangulation;
 };
 
@@ -39,11 +39,11 @@ TEST_F(ExactInfeasibilityCertificate, DecidesTheLastBit) {
 
 TEST_F(ExactInfeasibilityCertificate, HoldsForMultipliersOfAnyMagnitude) {
   for (const double scale : {5e-324, 1e-200, 3.0, 1e300}) {
-    InfeasibilityCertificate proof = TwoCorners(2);
-    proof.vertex_multiplier[1] = scale;
-    EXPECT_TRUE(Proves(proof)) << scale;
-    proof.lower_over_pi[1] = std::nextafter(2, 0);
-    EXPECT_FALSE(Proves(proof)) << scale;
+    InfeasibilityCertificate certificate = TwoCorners(2);
+    certificate.vertex_multiplier[1] = scale;
+    EXPECT_TRUE(Proves(certificate)) << scale;
+    certificate.lower_over_pi[1] = std::nextafter(2, 0);
+    EXPECT_FALSE(Proves(certificate)) << scale;
   }
 }
 
@@ -73,8 +73,8 @@ TEST_F(ExactInfeasibilityCertificate, RoundingOfTheTargetDecidesWhatIsProven) {
   const AngleConstraints constraints(t_, targets);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(constraints.num_rows());
   y[t_.num_faces() + 1] = 1;
-  EXPECT_TRUE(CertificateFrom(constraints, y).empty());
-  EXPECT_GT(ProveInfeasible(constraints, 1e-3, y).epsilon_over_pi, 0);
+  EXPECT_TRUE(InfeasibilityCertificateFrom(constraints, y).empty());
+  EXPECT_GT(FindInfeasibilityCertificate(constraints, 1e-3, y).epsilon_over_pi, 0);
 }
 
 }  // namespace

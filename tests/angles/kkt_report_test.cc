@@ -1,7 +1,6 @@
-#include "cirque/angles/kkt_report.h"
-
 #include <gtest/gtest.h>
 
+#include "cirque/angles/angle_fit_problem.h"
 #include "cirque/angles/registry.h"
 
 #include "tests/common/surfaces.h"
@@ -13,8 +12,7 @@ namespace {
 class KktReportTest : public ::testing::Test {
  protected:
   KktReportTest() {
-    const Status status =
-        FitAngles(problem_, objective_, **MakeAngleFitMethod("newton"), {}, &fit_);
+    const Status status = FitAngles(problem_, objective_, **MakeAngleSolver("newton"), {}, &fit_);
     EXPECT_TRUE(status.ok()) << status.message();
   }
 
@@ -54,7 +52,7 @@ TEST_F(KktReportTest, AMovedAngleIsSeen) {
 TEST_F(KktReportTest, FeasibleAnglesThatAreNotOptimalHaveAGap) {
   AngleFitResult other;
   const Status status = FitAngles(problem_, *AngleObjectives().Find("entropy"),
-                                  **MakeAngleFitMethod("newton"), {}, &other);
+                                  **MakeAngleSolver("newton"), {}, &other);
   ASSERT_TRUE(status.ok()) << status.message();
   const KktReport kkt = Report(other.angles.value, y());
   EXPECT_LT(kkt.vertex_sum_residual, 1e-9);

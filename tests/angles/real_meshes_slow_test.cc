@@ -24,7 +24,7 @@ TEST_P(RealMeshesSlow, DualInteriorPointAndAugmentedLagrangianAgreeInEveryAngle)
     AngleFitResult fit;
     const Status status =
         FitAngles({constraints, reference.value, 1e-3}, *AngleObjectives().Find("quadratic"),
-                  **MakeAngleFitMethod(method, options), {}, &fit);
+                  **MakeAngleSolver(method, options), {}, &fit);
     EXPECT_TRUE(status.ok()) << method << ": " << status.message();
     return fit.angles.value;
   };

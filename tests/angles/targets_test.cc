@@ -1,9 +1,7 @@
-#include "cirque/angles/targets.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/angles/exact_infeasibility.h"
+#include "cirque/angles/infeasibility.h"
 
 #include "tests/common/surfaces.h"
 
@@ -23,11 +21,11 @@ ConeTargets FanTargets(Index v, double lower, double upper) {
 Triangulation Pillow() { return NumberEdges(3, {0, 1, 2, 0, 2, 1}, {kNone, 5, 4, kNone, 2, 1}); }
 
 void ExpectRefused(const Triangulation& t, const ConeTargets& targets, const std::string& words) {
-  InfeasibilityCertificate proof;
-  const Status status = CheckTargets(t, targets, &proof);
+  InfeasibilityCertificate certificate;
+  const Status status = CheckTargets(t, targets, &certificate);
   EXPECT_EQ(status.code(), StatusCode::kInfeasible);
   EXPECT_THAT(status.message(), HasSubstr(words));
-  EXPECT_TRUE(ProvesExactly(t, proof)) << status.message();
+  EXPECT_TRUE(HoldsExactly(t, certificate)) << status.message();
 }
 
 TEST(CheckTargets, AcceptsFlatDisksAndSpheresWithEnoughCurvature) {

@@ -16,7 +16,7 @@ class LargestVertices final : public BudgetedHeuristic {
   using BudgetedHeuristic::BudgetedHeuristic;
 
  protected:
-  StatusOr<std::vector<Cone>> PlaceAtMost(const ConeProblem& problem, int count) const override {
+  StatusOr<std::vector<Cone>> ChooseAtMost(const ConeProblem& problem, int count) const override {
     StatusOr<ConeChoice> choice = ConeChoice::Make(problem, count);
     if (!choice.ok()) return choice.status();
     ConeFit fit(problem);
@@ -48,7 +48,7 @@ TEST(AddAHeuristic, ItIsUsedLikeTheOthers) {
   const ConeProblem problem(surface.triangulation, lengths);
   const auto factory = MyHeuristics().Find("largest");
   ASSERT_TRUE(factory.ok());
-  const auto cones = (*(*factory)({{"cones", "9"}}))->Place(problem);
+  const auto cones = (*(*factory)({{"cones", "9"}}))->Choose(problem);
   ASSERT_TRUE(cones.ok()) << cones.status().message();
   ASSERT_EQ(cones->size(), 9u);
   EXPECT_TRUE(ConeTargetsOf(surface.triangulation, *cones).ok());

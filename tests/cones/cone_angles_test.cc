@@ -1,10 +1,9 @@
-#include "cirque/cones/cone_angles.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "cirque/cones/cone.h"
 #include "cirque/cones/registry.h"
 
 #include "tests/common/surfaces.h"
@@ -17,7 +16,7 @@ TEST(ConeAngles, RoundedOnesAreMultiplesThatAddUp) {
     const Surface surface = GeneratedSurface(name, 1500);
     const EdgeLengths lengths = MeasureEdgeLengths(surface);
     const ConeProblem problem(surface.triangulation, lengths);
-    const auto cones = *(*MakeConeHeuristic("moving", {{"cones", "12"}}))->Place(problem);
+    const auto cones = *(*MakeConeHeuristic("moving", {{"cones", "12"}}))->Choose(problem);
     for (const int parts : {2, 3}) {
       SCOPED_TRACE(fmt::format("{} pi/{}", name, parts));
       const auto options = ParseConeAngles(fmt::format("pi/{}", parts));
@@ -41,7 +40,7 @@ TEST(ConeAngles, RangesHoldTheProposedAngle) {
   const Surface surface = GeneratedSurface("blob", 800);
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
-  const auto cones = *(*MakeConeHeuristic("greedy"))->Place(problem);
+  const auto cones = *(*MakeConeHeuristic("greedy"))->Choose(problem);
   const auto ranged = *ApplyConeAngles(problem, cones, *ParseConeAngles("ranges:width=0.2"));
   ASSERT_EQ(ranged.size(), cones.size());
   for (std::size_t i = 0; i < cones.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cones/registry.h"
-#include "cirque/core/gauss_bonnet.h"
+#include "cirque/core/metric.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/parameterize.h"
 
@@ -50,7 +50,7 @@ class EveryConeHeuristic : public testing::TestWithParam<Case> {
            EulerCharacteristic(surface_.triangulation) != 0;
   }
 
-  StatusOr<ConeTargets> Place() const {
+  StatusOr<ConeTargets> Choose() const {
     return PlaceCones(surface_.triangulation, MeasureEdgeLengths(surface_), {}, options_);
   }
 
@@ -71,7 +71,7 @@ class EveryConeHeuristic : public testing::TestWithParam<Case> {
 };
 
 TEST_P(EveryConeHeuristic, KeepsItsPromises) {
-  const StatusOr<ConeTargets> targets = Place();
+  const StatusOr<ConeTargets> targets = Choose();
   if (GetParam().heuristic == "none" && NeedsCones()) {
     EXPECT_EQ(targets.status().code(), StatusCode::kInvalidInput);
     EXPECT_NE(targets.status().message().find("Gauss-Bonnet"), std::string::npos);
@@ -93,7 +93,7 @@ TEST_P(EveryConeHeuristic, KeepsItsPromises) {
     EXPECT_NEAR(MeasureGaussBonnetDefect(t, *targets).lower, 0, 1e-10);
     EXPECT_NEAR(MeasureGaussBonnetDefect(t, *targets).upper, 0, 1e-10);
   }
-  const StatusOr<ConeTargets> again = Place();
+  const StatusOr<ConeTargets> again = Choose();
   EXPECT_EQ(again->lower, targets->lower);
   EXPECT_EQ(again->upper, targets->upper);
 }
@@ -146,7 +146,7 @@ TEST(ConeHeuristics, ATargetTakesTheFewestConesThatMeetIt) {
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
   const auto place = [&](const OptionMap& options) {
-    return *(*MakeConeHeuristic("greedy", options))->Place(problem);
+    return *(*MakeConeHeuristic("greedy", options))->Choose(problem);
   };
   const auto norm = [&](const std::vector<Cone>& cones) {
     return AreaNorm(problem, PredictedLogScale(problem, cones));
@@ -160,7 +160,7 @@ TEST(ConeHeuristics, TooFewConesAreRefusedWithTheNumberNeeded) {
   const Surface surface = GeneratedSurface("sphere", 500);
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
-  const auto cones = (*MakeConeHeuristic("l1", {{"cones", "2"}}))->Place(problem);
+  const auto cones = (*MakeConeHeuristic("l1", {{"cones", "2"}}))->Choose(problem);
   EXPECT_EQ(cones.status().code(), StatusCode::kInvalidInput);
   EXPECT_NE(cones.status().message().find("at least 3"), std::string::npos);
 }

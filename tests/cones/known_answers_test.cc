@@ -7,8 +7,8 @@
 
 #include "cirque/cones/cone_fit.h"
 #include "cirque/cones/cone_moves.h"
-#include "cirque/cones/l1_cones.h"
 #include "cirque/cones/registry.h"
+#include "cirque/cones/sparse_cones.h"
 #include "cirque/mesh/preflight.h"
 
 #include "tests/common/surfaces.h"
@@ -94,7 +94,7 @@ void ExpectCornersAreFound(const PolygonSoup& soup, std::size_t num_corners) {
   for (const std::string& name : Seeing()) {
     SCOPED_TRACE(name);
     const auto heuristic = MakeConeHeuristic(name, {{"cones", std::to_string(num_corners)}});
-    const auto cones = (*heuristic)->Place(problem);
+    const auto cones = (*heuristic)->Choose(problem);
     ASSERT_TRUE(cones.ok()) << cones.status().message();
     std::vector<Index> found;
     for (const Cone& c : *cones) {
@@ -153,7 +153,7 @@ TEST(KnownCones, TheApexOfACone) {
   const ConeProblem problem(surface.triangulation, lengths);
   for (const std::string& name : Seeing()) {
     SCOPED_TRACE(name);
-    const auto cones = *(*MakeConeHeuristic(name, {{"cones", "1"}}))->Place(problem);
+    const auto cones = *(*MakeConeHeuristic(name, {{"cones", "1"}}))->Choose(problem);
     ASSERT_EQ(cones.size(), 1u);
     EXPECT_NEAR(surface.position[cones[0].vertex].z(), 0.8, 1e-12);
     EXPECT_NEAR(2 * kPi - cones[0].lower, problem.curvature()[cones[0].vertex], 1e-9);
@@ -189,7 +189,7 @@ TEST(KnownCones, AFlatTorusNeedsNone) {
   const ConeProblem problem(t, lengths);
   ASSERT_LT(problem.curvature().lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_LT(problem.LogScaleWithoutCones().lpNorm<Eigen::Infinity>(), 1e-12);
-  EXPECT_TRUE((*(*MakeConeHeuristic("greedy", {{"target", "1e-9"}}))->Place(problem)).empty());
+  EXPECT_TRUE((*(*MakeConeHeuristic("greedy", {{"target", "1e-9"}}))->Choose(problem)).empty());
 }
 
 TEST(L1Cones, SolutionIsOptimal) {

@@ -1,12 +1,11 @@
-#include "cirque/cones/simple_cones.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/core/gauss_bonnet.h"
+#include "cirque/cones/curvature_peaks.h"
+#include "cirque/core/metric.h"
 #include "cirque/mesh/farthest_vertices.h"
 
 #include "tests/common/surfaces.h"

@@ -1,6 +1,6 @@
-#include "cirque/core/gauss_bonnet.h"
-
 #include <gtest/gtest.h>
+
+#include "cirque/core/metric.h"
 
 #include "tests/common/surfaces.h"
 

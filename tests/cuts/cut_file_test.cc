@@ -1,11 +1,10 @@
-#include "cirque/cuts/cut_file.h"
-
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/cuts/edge_files.h"
 
 #include "tests/common/surfaces.h"
 

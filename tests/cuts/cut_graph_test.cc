@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/metric.h"
-#include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/generators/generators.h"
 

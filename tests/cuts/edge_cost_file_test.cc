@@ -1,9 +1,8 @@
-#include "cirque/cuts/edge_cost_file.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/cuts/edge_files.h"
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/parameterize.h"
 

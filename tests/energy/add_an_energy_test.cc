@@ -84,7 +84,7 @@ TEST(AddAnObjective, ItIsFittedByTheDualLikeAnyOther) {
   const auto fit_with = [&](const std::shared_ptr<const AngleObjective>& objective) {
     AngleFitResult fit;
     const Status status = FitAngles({constraints, reference.value, 1e-3}, objective,
-                                    **MakeAngleFitMethod("newton"), {}, &fit);
+                                    **MakeAngleSolver("newton"), {}, &fit);
     EXPECT_TRUE(status.ok()) << status.message();
     return fit.angles.value;
   };

@@ -19,7 +19,7 @@ class CirclePatternEnergyTest : public ::testing::Test {
     const AngleConstraints constraints(t(), targets_);
     AngleFitResult fit;
     const CornerAngles reference = AnglesOf(surface_);
-    const auto newton = *MakeAngleFitMethod("newton");
+    const auto newton = *MakeAngleSolver("newton");
     const Status status = FitAngles({constraints, reference.value, 1e-3},
                                     *AngleObjectives().Find("quadratic"), *newton, {}, &fit);
     EXPECT_TRUE(status.ok()) << status.message();

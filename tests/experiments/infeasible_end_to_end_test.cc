@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/angles/infeasibility.h"
 #include "cirque/angles/registry.h"
-#include "cirque/angles/targets.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/domains/domain.h"
 #include "cirque/io/io.h"
@@ -71,7 +71,7 @@ PolygonSoup SoupOf(const Surface& surface) {
 TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
   const PolygonSoup soup = SoupOf(Kleetope(GeneratedSurface("bumpy_terrain", 60)));
   ASSERT_TRUE(WriteMesh(Path("in.obj"), soup).ok());
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     SCOPED_TRACE(method);
     CirclePatternsJob job;
     job.input = Path("in.obj");
@@ -167,11 +167,11 @@ TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
   const CornerAngles reference = AnglesOf(fan);
   std::vector<InfeasibilityCertificate> proofs(1);
   EXPECT_EQ(CheckTargets(fan.triangulation, targets, &proofs[0]).code(), StatusCode::kInfeasible);
-  for (const std::string& method : AngleFitMethods().Names()) {
+  for (const std::string& method : AngleSolvers().Names()) {
     AngleFitResult result;
     const Status status =
         FitAngles({constraints, reference.value, 1e-3}, *AngleObjectives().Find("quadratic"),
-                  **MakeAngleFitMethod(method), {}, &result);
+                  **MakeAngleSolver(method), {}, &result);
     EXPECT_EQ(status.code(), StatusCode::kInfeasible) << method << ": " << status.message();
     proofs.push_back(result.infeasibility);
   }

@@ -59,7 +59,7 @@ TEST(ChordGuard, CutsNoRoomlessPieceOffAStraightBoundary) {
     const AngleConstraints constraints(on.triangulation, targets);
     const CornerAngles reference = MeasureCornerAngles(on.triangulation, on.lengths);
     return FitAngles({constraints, reference.value, 1e-3}, *AngleObjectives().Find("quadratic"),
-                     **MakeAngleFitMethod("auto"), {}, &result)
+                     **MakeAngleSolver("auto"), {}, &result)
         .code();
   };
   EXPECT_EQ(fit(free), StatusCode::kInfeasible);

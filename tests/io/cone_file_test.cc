@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/core/gauss_bonnet.h"
+#include "cirque/core/metric.h"
 
 #include "tests/common/paths.h"
 #include "tests/common/surfaces.h"

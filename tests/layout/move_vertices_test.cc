@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/core/cut.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/injectivity.h"

@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/planar_layout.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/cuts/check_cut.h"
+#include "cirque/cuts/cut_graph.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"

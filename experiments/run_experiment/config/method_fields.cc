@@ -54,7 +54,7 @@ const std::vector<MethodField>& MethodFields() {
        "the solver of the angle fit",
        0,
        0,
-       AngleStrategyNames(),
+       AngleSolverNames(),
        {"angle_strategy"}},
       {"radii_solver",
        &Options::radii_solver,

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/core/timer.h"
 
 namespace cirque {
 

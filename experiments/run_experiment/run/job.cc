@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 
 namespace cirque {

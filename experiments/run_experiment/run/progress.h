@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 
 #include "experiments/run_experiment/results/record.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/mesh/subdivision.h"

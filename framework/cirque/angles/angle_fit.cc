@@ -49,15 +49,17 @@ Status RequireCoherent(const KktReport& kkt) {
                   kkt.smallest_angle, kkt.smallest_theta));
 }
 
-std::string InfeasibleMessage(const InfeasibilityCertificate& proof) {
-  const std::string margin = proof.epsilon_over_pi == 0 ? std::string()
-                                                        : fmt::format(" with margin {:.1e} rad",
-                                                                      proof.epsilon_over_pi * kPi);
+std::string InfeasibleMessage(const InfeasibilityCertificate& certificate) {
+  const std::string margin =
+      certificate.epsilon_over_pi == 0
+          ? std::string()
+          : fmt::format(" with margin {:.1e} rad", certificate.epsilon_over_pi * kPi);
   return fmt::format(
-      "no coherent angles{} exist: proven by multipliers largest at faces {} and vertices {} "
-      "(0-based); "
+      "no coherent angles{} exist: the infeasibility certificate's multipliers are largest at "
+      "faces "
+      "{} and vertices {} (0-based); "
       "allow cones there, or flip to the intrinsic Delaunay triangulation",
-      margin, IdList(proof.carrying_faces), IdList(proof.carrying_vertices));
+      margin, IdList(certificate.carrying_faces), IdList(certificate.carrying_vertices));
 }
 
 /// The largest margin worth trying first.
@@ -75,11 +77,11 @@ double FirstEpsilon(const AngleFitProblem& problem) {
 }  // namespace
 
 Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
-                 InfeasibilityCertificate proof, Eigen::VectorXd alpha, Eigen::VectorXd multipliers,
-                 AngleFitResult* result) {
+                 InfeasibilityCertificate certificate, Eigen::VectorXd alpha,
+                 Eigen::VectorXd multipliers, AngleFitResult* result) {
   result->multipliers = std::move(multipliers);
-  if (!proof.empty()) {
-    result->infeasibility = std::move(proof);
+  if (!certificate.empty()) {
+    result->infeasibility = std::move(certificate);
     return Status(StatusCode::kInfeasible, InfeasibleMessage(result->infeasibility));
   }
   if (result->solve.termination == Termination::kCancelled) {
@@ -99,14 +101,13 @@ Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective
 }
 
 Status FitAngles(const AngleFitProblem& problem,
-                 const std::shared_ptr<const AngleObjective>& objective,
-                 const AngleFitMethod& method, const SolveControl& control,
-                 AngleFitResult* result) {
+                 const std::shared_ptr<const AngleObjective>& objective, const AngleSolver& solver,
+                 const SolveControl& control, AngleFitResult* result) {
   AngleFitProblem attempt = problem;
   attempt.epsilon = FirstEpsilon(problem);
   while (true) {
     *result = AngleFitResult();
-    const Status status = method.Fit(attempt, objective, control, result);
+    const Status status = solver.Fit(attempt, objective, control, result);
     const bool smaller_margin_may_do =
         status.code() == StatusCode::kInfeasible && result->infeasibility.epsilon_over_pi > 0;
     if (!smaller_margin_may_do || attempt.epsilon <= kLeastEpsilon) return status;

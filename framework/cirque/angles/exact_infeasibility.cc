@@ -1,9 +1,8 @@
-#include "cirque/angles/exact_infeasibility.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "cirque/angles/infeasibility.h"
 #include "cirque/math/exact_integer.h"
 
 namespace cirque {
@@ -27,14 +26,15 @@ bool AllFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-bool IsWellFormed(const Triangulation& t, const InfeasibilityCertificate& proof) {
-  const std::size_t constrained = proof.constrained_vertex.size();
-  return proof.epsilon_over_pi >= 0 && 3 * proof.epsilon_over_pi < 1 &&
-         static_cast<Index>(proof.face_multiplier.size()) == t.num_faces() &&
-         proof.vertex_multiplier.size() == constrained &&
-         proof.lower_over_pi.size() == constrained && proof.upper_over_pi.size() == constrained &&
-         AllFinite(proof.face_multiplier) && AllFinite(proof.vertex_multiplier) &&
-         AllFinite(proof.lower_over_pi) && AllFinite(proof.upper_over_pi);
+bool IsWellFormed(const Triangulation& t, const InfeasibilityCertificate& certificate) {
+  const std::size_t constrained = certificate.constrained_vertex.size();
+  return certificate.epsilon_over_pi >= 0 && 3 * certificate.epsilon_over_pi < 1 &&
+         static_cast<Index>(certificate.face_multiplier.size()) == t.num_faces() &&
+         certificate.vertex_multiplier.size() == constrained &&
+         certificate.lower_over_pi.size() == constrained &&
+         certificate.upper_over_pi.size() == constrained &&
+         AllFinite(certificate.face_multiplier) && AllFinite(certificate.vertex_multiplier) &&
+         AllFinite(certificate.lower_over_pi) && AllFinite(certificate.upper_over_pi);
 }
 
 /// sum_e max over Q_e of p a_l + q a_r, from its parts: at a corner of Q_e it is
@@ -44,13 +44,14 @@ struct SupportParts {
   bool some_nonzero = false;
 };
 
-SupportParts SumSupports(const Triangulation& t, const InfeasibilityCertificate& proof) {
+SupportParts SumSupports(const Triangulation& t, const InfeasibilityCertificate& certificate) {
   std::vector<double> of_vertex(t.num_vertices, 0.0);
-  for (std::size_t i = 0; i < proof.constrained_vertex.size(); ++i) {
-    of_vertex[proof.constrained_vertex[i]] = proof.vertex_multiplier[i];
+  for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
+    of_vertex[certificate.constrained_vertex[i]] = certificate.vertex_multiplier[i];
   }
   const auto slope = [&](Index h) {
-    return Exact(proof.face_multiplier[Triangulation::Face(h)]) + Exact(of_vertex[t.vertex[h]]);
+    return Exact(certificate.face_multiplier[Triangulation::Face(h)]) +
+           Exact(of_vertex[t.vertex[h]]);
   };
   SupportParts parts;
   for (const Index l : t.edge_halfedge) {
@@ -71,28 +72,29 @@ SupportParts SumSupports(const Triangulation& t, const InfeasibilityCertificate&
 }
 
 /// The left side in units of 2^-2148.
-ExactInteger LeftSide(const InfeasibilityCertificate& proof) {
+ExactInteger LeftSide(const InfeasibilityCertificate& certificate) {
   ExactInteger of_faces, left;
-  for (const double y : proof.face_multiplier) of_faces = of_faces + Exact(y);
+  for (const double y : certificate.face_multiplier) of_faces = of_faces + Exact(y);
   left = of_faces * ExactInteger(1, kFractionBits);
-  for (std::size_t i = 0; i < proof.vertex_multiplier.size(); ++i) {
-    const double y = proof.vertex_multiplier[i];
-    left = left + Exact(y) * Exact(y > 0 ? proof.lower_over_pi[i] : proof.upper_over_pi[i]);
+  for (std::size_t i = 0; i < certificate.vertex_multiplier.size(); ++i) {
+    const double y = certificate.vertex_multiplier[i];
+    left = left +
+           Exact(y) * Exact(y > 0 ? certificate.lower_over_pi[i] : certificate.upper_over_pi[i]);
   }
   return left;
 }
 
 }  // namespace
 
-bool ProvesExactly(const Triangulation& triangulation, const InfeasibilityCertificate& proof) {
-  if (!IsWellFormed(triangulation, proof)) return false;
-  const SupportParts parts = SumSupports(triangulation, proof);
-  const ExactInteger one(1, kFractionBits), epsilon = Exact(proof.epsilon_over_pi);
+bool HoldsExactly(const Triangulation& triangulation, const InfeasibilityCertificate& certificate) {
+  if (!IsWellFormed(triangulation, certificate)) return false;
+  const SupportParts parts = SumSupports(triangulation, certificate);
+  const ExactInteger one(1, kFractionBits), epsilon = Exact(certificate.epsilon_over_pi);
   const ExactInteger right = epsilon * parts.sum +
                              (one - ExactInteger(3, 0) * epsilon) * parts.interior +
                              (one - ExactInteger(2, 0) * epsilon) * parts.boundary;
-  const int sign = (LeftSide(proof) - right).Sign();
-  return sign > 0 || (sign == 0 && proof.epsilon_over_pi == 0 && parts.some_nonzero);
+  const int sign = (LeftSide(certificate) - right).Sign();
+  return sign > 0 || (sign == 0 && certificate.epsilon_over_pi == 0 && parts.some_nonzero);
 }
 
 }  // namespace cirque

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "cirque/angles/exact_infeasibility.h"
 #include "cirque/core/parallel.h"
 #include "cirque/math/compensated_sum.h"
 
@@ -12,9 +11,9 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxDenominator = 12;  ///< of the integer multiples that are tried
-constexpr double kSafety =
-    1e-9;  ///< share of sum |terms| that the margin must exceed: far above rounding, so
-           ///< that the exact check is asked only what it will confirm
+/// Share of sum |terms| that the margin must exceed: far above rounding, so that the exact check is
+/// asked only what it will confirm.
+constexpr double kSafety = 1e-9;
 constexpr int kMaxCarriers = 50;
 constexpr double kStays = 1e-2;  ///< a step of this share of the multipliers runs nowhere
 
@@ -83,30 +82,32 @@ std::vector<Index> Carriers(const Eigen::VectorXd& multipliers, const std::vecto
   return carriers;
 }
 
-/// The proof by these multipliers; empty when its numbers, taken exactly, prove nothing.
+/// The certificate of these multipliers; empty when its numbers, taken exactly, certify nothing.
 InfeasibilityCertificate MakeInfeasibilityCertificate(const AngleConstraints& constraints,
                                                       double epsilon, const Eigen::VectorXd& y,
                                                       double margin) {
-  InfeasibilityCertificate proof;
+  InfeasibilityCertificate certificate;
   const int faces = constraints.num_faces();
-  proof.epsilon_over_pi = epsilon / kPi;
-  proof.margin = margin;
-  proof.constrained_vertex = constraints.constrained_vertices();
-  proof.face_multiplier.assign(y.data(), y.data() + faces);
-  proof.vertex_multiplier.assign(y.data() + faces, y.data() + y.size());
+  certificate.epsilon_over_pi = epsilon / kPi;
+  certificate.margin = margin;
+  certificate.constrained_vertex = constraints.constrained_vertices();
+  certificate.face_multiplier.assign(y.data(), y.data() + faces);
+  certificate.vertex_multiplier.assign(y.data() + faces, y.data() + y.size());
   for (int row = faces; row < constraints.num_rows(); ++row) {
-    proof.lower_over_pi.push_back(constraints.Lower(row) / kPi);
-    proof.upper_over_pi.push_back(constraints.Upper(row) / kPi);
+    certificate.lower_over_pi.push_back(constraints.Lower(row) / kPi);
+    certificate.upper_over_pi.push_back(constraints.Upper(row) / kPi);
   }
-  proof.carrying_faces = Carriers(y.head(faces), {});
-  proof.carrying_vertices = Carriers(y.tail(y.size() - faces), proof.constrained_vertex);
-  return ProvesExactly(constraints.triangulation(), proof) ? proof : InfeasibilityCertificate();
+  certificate.carrying_faces = Carriers(y.head(faces), {});
+  certificate.carrying_vertices =
+      Carriers(y.tail(y.size() - faces), certificate.constrained_vertex);
+  return HoldsExactly(constraints.triangulation(), certificate) ? certificate
+                                                                : InfeasibilityCertificate();
 }
 
 /// At margin 0 the inequality may hold with equality (the conditions are open), which only exact
 /// multipliers show.
-InfeasibilityCertificate ProveWithIntegers(const AngleConstraints& constraints,
-                                           const Eigen::VectorXd& unit) {
+InfeasibilityCertificate CertifyWithIntegers(const AngleConstraints& constraints,
+                                             const Eigen::VectorXd& unit) {
   for (int denominator = 1; denominator <= kMaxDenominator; ++denominator) {
     const Eigen::VectorXd y = (unit * denominator).array().round().matrix();
     const Margin margin = ComputeMargin(constraints, 0, y);
@@ -114,9 +115,9 @@ InfeasibilityCertificate ProveWithIntegers(const AngleConstraints& constraints,
     // the whole sum.
     if (margin.value >= -1e-13 * margin.magnitude && margin.magnitude > 0 &&
         InfeasibilityMargin(constraints, 1e-6, y) > 0) {
-      InfeasibilityCertificate proof =
+      InfeasibilityCertificate certificate =
           MakeInfeasibilityCertificate(constraints, 0, y, std::max(0.0, margin.value));
-      if (!proof.empty()) return proof;
+      if (!certificate.empty()) return certificate;
     }
   }
   return {};
@@ -129,8 +130,8 @@ double InfeasibilityMargin(const AngleConstraints& constraints, double epsilon,
   return ComputeMargin(constraints, epsilon, y).value;
 }
 
-InfeasibilityCertificate ProveInfeasible(const AngleConstraints& constraints, double epsilon,
-                                         const Eigen::VectorXd& y) {
+InfeasibilityCertificate FindInfeasibilityCertificate(const AngleConstraints& constraints,
+                                                      double epsilon, const Eigen::VectorXd& y) {
   const double largest = y.lpNorm<Eigen::Infinity>();
   if (!(largest > 0) || !std::isfinite(largest)) return {};
   const Eigen::VectorXd unit = y / largest;
@@ -138,33 +139,34 @@ InfeasibilityCertificate ProveInfeasible(const AngleConstraints& constraints, do
   if (!(with_epsilon.value > kSafety * with_epsilon.magnitude)) return {};
   const Margin without = ComputeMargin(constraints, 0, unit);
   if (without.value > kSafety * without.magnitude) {
-    InfeasibilityCertificate proof =
+    InfeasibilityCertificate certificate =
         MakeInfeasibilityCertificate(constraints, 0, unit, without.value);
-    if (!proof.empty()) return proof;
+    if (!certificate.empty()) return certificate;
   }
-  InfeasibilityCertificate exact = ProveWithIntegers(constraints, unit);
+  InfeasibilityCertificate exact = CertifyWithIntegers(constraints, unit);
   return exact.empty()
              ? MakeInfeasibilityCertificate(constraints, epsilon, unit, with_epsilon.value)
              : exact;
 }
 
-InfeasibilityCertificate CertificateFrom(const AngleConstraints& constraints,
-                                         const Eigen::VectorXd& y) {
+InfeasibilityCertificate InfeasibilityCertificateFrom(const AngleConstraints& constraints,
+                                                      const Eigen::VectorXd& y) {
   return MakeInfeasibilityCertificate(constraints, 0, y,
                                       std::max(0.0, ComputeMargin(constraints, 0, y).value));
 }
 
 bool InfeasibilityWatch::Found(const Eigen::VectorXd& y) {
-  if (!proof_.empty()) return true;
+  if (!certificate_.empty()) return true;
   if (margin_ < 0) return false;
   const bool first = previous_.size() != y.size();
   const Eigen::VectorXd step = first ? y : y - previous_;
   if (step.lpNorm<Eigen::Infinity>() > kStays * y.lpNorm<Eigen::Infinity>()) {
-    proof_ = ProveInfeasible(constraints_, margin_, y);
-    if (proof_.empty() && !first) proof_ = ProveInfeasible(constraints_, margin_, step);
+    certificate_ = FindInfeasibilityCertificate(constraints_, margin_, y);
+    if (certificate_.empty() && !first)
+      certificate_ = FindInfeasibilityCertificate(constraints_, margin_, step);
   }
   previous_ = y;
-  return !proof_.empty();
+  return !certificate_.empty();
 }
 
 }  // namespace cirque

@@ -1,62 +1,96 @@
 #include "cirque/angles/registry.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "cirque/angles/augmented_lagrangian_angle_fit.h"
-#include "cirque/angles/dual_angle_fit.h"
-#include "cirque/angles/interior_point_angle_fit.h"
+#include "cirque/angles/augmented_lagrangian_angle_solver.h"
+#include "cirque/angles/infeasibility.h"
+#include "cirque/angles/interior_point_angle_solver.h"
 #include "cirque/core/text.h"
+#include "cirque/energy/dual_angle_energy.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
 namespace {
 
-using Method = StatusOr<std::shared_ptr<const AngleFitMethod>>;
+/// Minimises the dual with any strategy. The callback gets the multipliers.
+class DualAngleSolver final : public AngleSolver {
+ public:
+  explicit DualAngleSolver(std::shared_ptr<const SolverStrategy> strategy)
+      : strategy_(std::move(strategy)) {}
 
-Method MakeDual(const OptionMap& options) {
+  Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
+             const SolveControl& control, AngleFitResult* result) const override {
+    const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon,
+                                 objective);
+    InfeasibilityWatch watch(problem.constraints, objective->Margin(problem.epsilon));
+    const auto observe = [&](const IterationRecord& record, const Eigen::VectorXd& y) {
+      if (control.callback && control.callback(record, y) == CallbackAction::kStop) {
+        return CallbackAction::kStop;
+      }
+      return watch.Found(y) ? CallbackAction::kStop : CallbackAction::kContinue;
+    };
+    Eigen::VectorXd y =
+        problem.start ? *problem.start : Eigen::VectorXd::Zero(energy.NumParameters()).eval();
+    result->solve = strategy_->Minimize(energy, {observe, control.cancelled}, &y);
+    if (result->solve.termination == Termination::kUnsupported) {
+      return Status::InvalidInput("angle fit: " + result->solve.message);
+    }
+    Eigen::VectorXd alpha = energy.Angles(y.data());
+    return FinishFit(problem, *objective, watch.certificate(), std::move(alpha), std::move(y),
+                     result);
+  }
+
+ private:
+  std::shared_ptr<const SolverStrategy> strategy_;
+};
+
+using Made = StatusOr<std::shared_ptr<const AngleSolver>>;
+
+Made MakeDual(const OptionMap& options) {
   OptionMap rest = options;
   const auto named = rest.extract("strategy");
   const auto strategy =
       MakeSolverStrategy(named ? named.mapped() : SolverStrategies().Names().front(), rest);
   if (!strategy.ok()) return strategy.status();
-  return std::shared_ptr<const AngleFitMethod>(std::make_shared<DualAngleFit>(*strategy));
+  return std::shared_ptr<const AngleSolver>(std::make_shared<DualAngleSolver>(*strategy));
 }
 
-/// A factory whose method type M is constructed from its options struct O, read through `table`.
-template <class M, class O>
-AngleFitMethodFactory MethodFactory(const OptionTable<O>& table) {
-  return [table](const OptionMap& map) -> Method {
+/// A factory whose solver type S is constructed from its options struct O, read through `table`.
+template <class S, class O>
+AngleSolverFactory SolverFactory(const OptionTable<O>& table) {
+  return [table](const OptionMap& map) -> Made {
     O options;
     if (Status status = table.Set(map, &options); !status.ok()) return status;
-    return std::shared_ptr<const AngleFitMethod>(std::make_shared<M>(options));
+    return std::shared_ptr<const AngleSolver>(std::make_shared<S>(options));
   };
 }
 
 }  // namespace
 
-const Registry<AngleFitMethodFactory>& AngleFitMethods() {
-  static const Registry<AngleFitMethodFactory> kTable(
-      "angle-fit method",
+const Registry<AngleSolverFactory>& AngleSolvers() {
+  static const Registry<AngleSolverFactory> kTable(
+      "angle solver",
       {
           {"dual", MakeDual},
-          {"interior_point", MethodFactory<InteriorPointAngleFit>(InteriorPointOptionTable())},
+          {"interior_point", SolverFactory<InteriorPointAngleSolver>(InteriorPointOptionTable())},
           {"ceres_augmented_lagrangian",
-           MethodFactory<AugmentedLagrangianAngleFit>(AugmentedLagrangianOptionTable())},
+           SolverFactory<AugmentedLagrangianAngleSolver>(AugmentedLagrangianOptionTable())},
       });
   return kTable;
 }
 
-std::vector<std::string> AngleStrategyNames() {
+std::vector<std::string> AngleSolverNames() {
   std::vector<std::string> names = KnownStrategyNames();
-  for (const std::string& name : AngleFitMethods().Names()) names.push_back(name);
+  for (const std::string& name : AngleSolvers().Names()) names.push_back(name);
   return names;
 }
 
-Method MakeAngleFitMethod(const std::string& name, const OptionMap& options) {
-  if (const auto method = AngleFitMethods().Find(name); method.ok()) return (*method)(options);
-  const std::vector<std::string> names = AngleStrategyNames();
+Made MakeAngleSolver(const std::string& name, const OptionMap& options) {
+  if (const auto solver = AngleSolvers().Find(name); solver.ok()) return (*solver)(options);
+  const std::vector<std::string> names = AngleSolverNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    return Status::InvalidInput(UnknownName("angle strategy", name, names));
+    return Status::InvalidInput(UnknownName("angle solver", name, names));
   }
   OptionMap dual = options;
   dual["strategy"] = name;

@@ -11,19 +11,22 @@
 
 namespace cirque {
 
-using AngleFitMethodFactory =
-    std::function<StatusOr<std::shared_ptr<const AngleFitMethod>>(const OptionMap&)>;
+using AngleSolverFactory =
+    std::function<StatusOr<std::shared_ptr<const AngleSolver>>(const OptionMap&)>;
 
-/// The table of methods, one line an entry in registry.cc. `dual` takes the option `strategy` (a
-/// name of SolverStrategies(), default the first) and hands its other options to that strategy.
-const Registry<AngleFitMethodFactory>& AngleFitMethods();
+/// The table of solvers, one line an entry in registry.cc. `dual` minimises the Lagrange dual of the
+/// fit, which is convex and has no constraints; it takes every objective. Its option `strategy` is a
+/// name of SolverStrategies(), default the first, and its other options are that strategy's. Ranged
+/// angle sums make kinks, which the Newton strategies treat; kInvalidInput with the others.
+const Registry<AngleSolverFactory>& AngleSolvers();
 
-/// What MakeAngleFitMethod takes: KnownStrategyNames(), then those of AngleFitMethods().
-std::vector<std::string> AngleStrategyNames();
+/// What MakeAngleSolver takes: KnownStrategyNames(), then those of AngleSolvers().
+std::vector<std::string> AngleSolverNames();
 
-/// The method that users mean by `name`: a method of AngleFitMethods(), or the dual minimised with
-/// that solver strategy. An unknown name is an error that lists all of them.
-StatusOr<std::shared_ptr<const AngleFitMethod>> MakeAngleFitMethod(const std::string& name,
-                                                                   const OptionMap& options = {});
+/// The solver that users mean by `name`: one of AngleSolvers(), or the dual minimised with that
+/// solver strategy. Errors (invalid input): an unknown name, with all that are known; an option
+/// that is unknown or out of bounds.
+StatusOr<std::shared_ptr<const AngleSolver>> MakeAngleSolver(const std::string& name,
+                                                             const OptionMap& options = {});
 
 }  // namespace cirque

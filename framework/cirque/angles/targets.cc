@@ -1,5 +1,3 @@
-#include "cirque/angles/targets.h"
-
 #include <cmath>
 #include <string>
 #include <vector>
@@ -103,20 +101,20 @@ Status CheckGaussBonnet(const Triangulation& t, const ConeTargets& targets, doub
 }
 
 /// Multipliers by vertex (and one for all faces) in the rows of the constraints.
-InfeasibilityCertificate Prove(const Triangulation& t, const ConeTargets& targets, double of_faces,
-                               const Eigen::VectorXd& of_vertices) {
+InfeasibilityCertificate Certify(const Triangulation& t, const ConeTargets& targets,
+                                 double of_faces, const Eigen::VectorXd& of_vertices) {
   const AngleConstraints constraints(t, targets);
   Eigen::VectorXd y = Eigen::VectorXd::Constant(constraints.num_rows(), of_faces);
   for (std::size_t i = 0; i < constraints.constrained_vertices().size(); ++i) {
     y[t.num_faces() + static_cast<int>(i)] = of_vertices[constraints.constrained_vertices()[i]];
   }
-  return CertificateFrom(constraints, y);
+  return InfeasibilityCertificateFrom(constraints, y);
 }
 
 }  // namespace
 
 Status CheckTargets(const Triangulation& t, const ConeTargets& targets,
-                    InfeasibilityCertificate* proof) {
+                    InfeasibilityCertificate* certificate) {
   if (Status s = CheckNumbers(t, targets); !s.ok()) return s;
   Eigen::VectorXd of_vertices = Eigen::VectorXd::Zero(t.num_vertices);
   double of_faces = 0;
@@ -127,7 +125,7 @@ Status CheckTargets(const Triangulation& t, const ConeTargets& targets,
     of_vertices.setConstant(sign);
     of_faces = -sign;
   }
-  if (!status.ok() && proof) *proof = Prove(t, targets, of_faces, of_vertices);
+  if (!status.ok() && certificate) *certificate = Certify(t, targets, of_faces, of_vertices);
   return status;
 }
 

@@ -12,9 +12,9 @@
 
 namespace cirque {
 
-/// Cones at chosen vertices of a problem and what its linear model says of their curvatures: u =
-/// u_0 + sum_c mu_c g_c, with u_0 the log scale without cones and g_c the response to a unit of
-/// curvature at c. A cone costs one solve with the problem's factor, whatever is done with its
+/// Cones at chosen vertices of a problem and what its linear model says of their curvatures:
+///   u = u_0 + sum_c mu_c g_c,
+/// u_0 the log scale without cones and g_c the response to a unit of curvature at c. A cone costs one solve with the problem's factor, whatever is done with its
 /// curvature after.
 class ConeFit {
  public:
@@ -24,12 +24,13 @@ class ConeFit {
   int size() const { return static_cast<int>(vertices_.size()); }
   const std::vector<Index>& vertices() const { return vertices_; }
   const Eigen::VectorXd& curvature() const { return curvature_; }  ///< of each cone [rad]
-  /// g_c' M g_d: the Hessian of the measure's form 1/2 u' M u by the curvatures; sum_v a_v g_c g_d.
+  /// g_c' M g_d: the Hessian of the measure's form 1/2 u' M u by the curvatures; of area distortion
+  /// sum_v a_v g_c g_d.
   const Eigen::MatrixXd& gram() const { return gram_; }
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
   void Add(Index vertex);
-  /// Puts cone i elsewhere; its curvature stays until it is fitted.
+  /// Moves cone i to another vertex; its curvature stays until it is fitted.
   void Move(int i, Index vertex);
   /// Takes the last move back, and the curvatures that it began with.
   void UndoMove();

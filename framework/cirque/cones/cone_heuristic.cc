@@ -18,22 +18,22 @@ bool BudgetedHeuristic::MeetsTarget(const ConeProblem& problem,
   return norm <= budget_.target;
 }
 
-StatusOr<std::vector<Cone>> BudgetedHeuristic::Place(const ConeProblem& problem) const {
+StatusOr<std::vector<Cone>> BudgetedHeuristic::Choose(const ConeProblem& problem) const {
   const bool has_target = budget_.target > 0;
   int most = budget_.cones >= 0 ? budget_.cones : has_target ? kMostCones : kDefaultCones;
   most = std::min(most, static_cast<int>(problem.candidates().size()));
-  if (!has_target) return PlaceAtMost(problem, most);
+  if (!has_target) return ChooseAtMost(problem, most);
   int below = -1, enough = 0;
-  StatusOr<std::vector<Cone>> best = PlaceAtMost(problem, enough);
+  StatusOr<std::vector<Cone>> best = ChooseAtMost(problem, enough);
   while (!MeetsTarget(problem, best)) {
     if (enough == most) return best;
     below = enough;
     enough = std::min(most, std::max(1, 2 * enough));
-    best = PlaceAtMost(problem, enough);
+    best = ChooseAtMost(problem, enough);
   }
   while (enough - below > 1) {
     const int middle = (below + enough) / 2;
-    StatusOr<std::vector<Cone>> cones = PlaceAtMost(problem, middle);
+    StatusOr<std::vector<Cone>> cones = ChooseAtMost(problem, middle);
     const bool met = MeetsTarget(problem, cones);
     (met ? enough : below) = middle;
     if (met) best = std::move(cones);

@@ -9,7 +9,7 @@
 
 namespace cirque {
 
-/// A way to choose where cones lie and what their angle sums are.
+/// A way to choose where cones lie and what their angle sums are (docs/mathematics.md, Cones).
 class ConeHeuristic {
  public:
   virtual ~ConeHeuristic() = default;
@@ -17,7 +17,7 @@ class ConeHeuristic {
   /// Cones at candidates of the problem, which with flat other vertices satisfy Gauss-Bonnet and
   /// whose angles the corners can reach; the same for the same problem. Errors (invalid input):
   /// what was asked for leaves no such cones; the message says what would.
-  virtual StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const = 0;
+  virtual StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const = 0;
 };
 
 /// How many cones. The options of every heuristic that counts begin with these.
@@ -34,18 +34,18 @@ std::vector<typename OptionTable<T>::Field> BudgetFields() {
           {"norm", &T::norm, 0, 0, {"l2", "max"}, "of the log scale, for the target"}};
 }
 
-/// A heuristic that can place any number of cones: the base finds the least number that meets a
+/// A heuristic that can choose any number of cones: the base finds the least number that meets a
 /// target, by doubling and bisection.
 class BudgetedHeuristic : public ConeHeuristic {
  public:
   explicit BudgetedHeuristic(const ConeBudget& budget) : budget_(budget) {}
 
   /// When even the most cones miss the target, those are returned.
-  StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const final;
+  StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const final;
 
  protected:
   /// At most `count` cones; on a closed surface that needs more, an error.
-  virtual StatusOr<std::vector<Cone>> PlaceAtMost(const ConeProblem& problem, int count) const = 0;
+  virtual StatusOr<std::vector<Cone>> ChooseAtMost(const ConeProblem& problem, int count) const = 0;
 
  private:
   bool MeetsTarget(const ConeProblem& problem, const StatusOr<std::vector<Cone>>& cones) const;

@@ -4,17 +4,18 @@
 #include <limits>
 #include <utility>
 
-#include "cirque/cones/descent.h"
+#include "cirque/cones/cone_choice.h"
 
 namespace cirque {
 namespace {
 
-constexpr int kFirstStride = 8;                          ///< edges
-constexpr double kLeastGain = 1e-6;                      ///< relative, of a move worth making
-constexpr int kAdaptations = 2, kLastAdaptations = 20;   ///< of the measure's form
-constexpr std::size_t kMostMissed = 8, kMostPlaces = 4;  ///< tried by a relocation
+constexpr int kFirstStride = 8;                             ///< edges
+constexpr double kLeastGain = 1e-6;                         ///< relative, of a move worth making
+constexpr int kAdaptations = 2, kLastAdaptations = 20;      ///< of the measure's form
+constexpr std::size_t kMostMissed = 8, kMostPositions = 4;  ///< tried by a relocation
 constexpr double kLeastRelocationGain = 1e-3;
-constexpr double kHopeless = 1.05;  ///< over the measure before: a new place not worth settling at
+constexpr double kHopeless =
+    1.05;  ///< over the measure before: a new position not worth settling at
 
 }  // namespace
 
@@ -101,10 +102,10 @@ bool ConeMoves::Relocate() {
   for (const int i : LeastMissed()) {
     if (!fit_.FitWithout(i)) continue;
     const Index from = fit_.vertices()[i];
-    for (const Index to : BestPlaces()) {
-      if (TryPlace(i, to, before)) return true;
+    for (const Index to : BestPositions()) {
+      if (TryPosition(i, to, before)) return true;
     }
-    Put(i, from);
+    MoveTo(i, from);
   }
   return false;
 }
@@ -124,7 +125,7 @@ std::vector<int> ConeMoves::LeastMissed() {
 }
 
 /// Where a little curvature would lower the form most: maxima among neighbours.
-std::vector<Index> ConeMoves::BestPlaces() const {
+std::vector<Index> ConeMoves::BestPositions() const {
   const Triangulation& t = problem_.triangulation();
   const Eigen::VectorXd score = DistanceFromCones(problem_, fit_, fit_.Descent());
   std::vector<bool> is_maximum(t.num_vertices, true);
@@ -137,14 +138,14 @@ std::vector<Index> ConeMoves::BestPlaces() const {
     if (is_maximum[v] && !taken_[v]) maxima.emplace_back(-score[v], v);
   }
   std::sort(maxima.begin(), maxima.end());
-  if (maxima.size() > kMostPlaces) maxima.resize(kMostPlaces);
-  std::vector<Index> places;
-  for (const auto& [score_there, v] : maxima) places.push_back(v);
-  return places;
+  if (maxima.size() > kMostPositions) maxima.resize(kMostPositions);
+  std::vector<Index> positions;
+  for (const auto& [score_there, v] : maxima) positions.push_back(v);
+  return positions;
 }
 
-bool ConeMoves::TryPlace(int i, Index to, double before) {
-  Put(i, to);
+bool ConeMoves::TryPosition(int i, Index to, double before) {
+  MoveTo(i, to);
   if (fit_.Measure() > kHopeless * before) return false;
   Settle(i);
   if (fit_.Measure() > (1 - kLeastRelocationGain) * before) return false;
@@ -152,7 +153,7 @@ bool ConeMoves::TryPlace(int i, Index to, double before) {
   return true;
 }
 
-void ConeMoves::Put(int i, Index to) {
+void ConeMoves::MoveTo(int i, Index to) {
   taken_[fit_.vertices()[i]] = false;
   taken_[to] = true;
   fit_.Move(i, to);

@@ -5,7 +5,7 @@
 
 #include "cirque/cones/cone_fit.h"
 #include "cirque/cones/cone_problem.h"
-#include "cirque/core/counting_sort.h"
+#include "cirque/core/grouping.h"
 
 namespace cirque {
 
@@ -22,8 +22,8 @@ class ConeMoves {
   /// Every cone once a few edges downhill; true while some cone may still move.
   bool Sweep();
 
-  /// Puts one cone, of those that are missed least, where a cone more would help most, and lets it
-  /// settle there. False when no such change lowers the measure; the cones then are where they
+  /// Moves one cone, of those that are missed least, to where a cone more would help most, and lets
+  /// it settle there. False when no such change lowers the measure; the cones then are where they
   /// were.
   bool Relocate();
 
@@ -36,9 +36,9 @@ class ConeMoves {
   bool TryMove(int i, const Eigen::VectorXd& slope, int stride);
   Index Downhill(Index v, const Eigen::VectorXd& field, int steps) const;
   std::vector<int> LeastMissed();
-  std::vector<Index> BestPlaces() const;
-  bool TryPlace(int i, Index to, double before);
-  void Put(int i, Index to);
+  std::vector<Index> BestPositions() const;
+  bool TryPosition(int i, Index to, double before);
+  void MoveTo(int i, Index to);
   void Settle(int i);
   void Adapt(int times);
 

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "cirque/cones/cone_choice.h"
 #include "cirque/cones/cone_fit.h"
-#include "cirque/cones/simple_cones.h"
+#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/farthest_vertices.h"
 
 namespace cirque {
@@ -37,8 +40,8 @@ const OptionTable<CurvaturePeaksOptions>& CurvaturePeaksOptionTable() {
   return kTable;
 }
 
-StatusOr<std::vector<Cone>> CurvaturePeaks::PlaceAtMost(const ConeProblem& problem,
-                                                        int count) const {
+StatusOr<std::vector<Cone>> CurvaturePeaks::ChooseAtMost(const ConeProblem& problem,
+                                                         int count) const {
   if (simple_) {
     const ConeSource& source = problem.source();
     const auto targets = SimpleConeTargets(*source.triangulation, *source.lengths);
@@ -58,6 +61,86 @@ StatusOr<std::vector<Cone>> CurvaturePeaks::PlaceAtMost(const ConeProblem& probl
   while (const std::optional<Index> v = choice->TakeBest(score)) fit.Add(*v);
   fit.FitLeastSquares();
   return fit.Cones();
+}
+
+namespace {
+
+/// Curvature of every vertex: 2 pi minus its angle sum [rad].
+std::vector<double> Curvatures(const Triangulation& t, const EdgeLengths& lengths) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  std::vector<double> curvature(t.num_vertices, 2 * kPi);
+  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= angles.value[h];
+  return curvature;
+}
+
+class ConeSpread {
+ public:
+  ConeSpread(const Triangulation& t, const EdgeLengths& lengths)
+      : t_(t),
+        lengths_(lengths),
+        quarter_turns_(4 * EulerCharacteristic(t)),
+        corners_(CornersPerVertex(t)),
+        curvature_(Curvatures(t, lengths)) {}
+
+  StatusOr<ConeTargets> Choose() const {
+    ConeTargets targets = FreeBoundaryTargets(t_);
+    if (quarter_turns_ == 0) return targets;
+    const int sign = quarter_turns_ > 0 ? 1 : -1;
+    for (const int vertices_per_cone : {8, 1}) {
+      for (const int part : {1, 2, 4, 8}) {
+        if (sign * part >= 4) break;  // no angle is left
+        if (TryParts(sign * part, vertices_per_cone, &targets)) return targets;
+      }
+    }
+    return Status::InvalidInput(fmt::format(
+        "no simple set of cones: the curvature {} pi needs more vertices with more triangles than "
+        "the surface has ({} vertices, at most {} triangles at one); subdivide it or give the "
+        "cones in a file",
+        quarter_turns_ / 2, t_.num_vertices, *std::max_element(corners_.begin(), corners_.end())));
+  }
+
+ private:
+  /// Cones of this curvature each, in units of pi/2 (of which chi being even makes a multiple of
+  /// 8 in all).
+  bool TryParts(int part, int vertices_per_cone, ConeTargets* targets) const {
+    const int count = quarter_turns_ / part;
+    const std::vector<Index> candidates = Candidates(part, count);
+    const bool enough = static_cast<Index>(candidates.size()) >= count &&
+                        t_.num_vertices / vertices_per_cone >= count;
+    if (!enough) return false;
+    for (const Index v : FarthestVertices(t_, lengths_, candidates, count)) {
+      targets->lower[v] = targets->upper[v] = kPi * (2 - part / 2.);
+    }
+    return true;
+  }
+
+  /// Vertices with corners enough for such a cone and half of one to spare, the most curved ones
+  /// first; the best tenth of them, and never fewer than eight a cone while there are some.
+  std::vector<Index> Candidates(int part, int count) const {
+    std::vector<Index> candidates;
+    for (Index v = 0; v < t_.num_vertices; ++v) {
+      if (2 - part / 2. <= corners_[v] - 0.5) candidates.push_back(v);
+    }
+    const double sign = quarter_turns_ > 0 ? 1 : -1;
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](Index a, Index b) { return sign * curvature_[a] > sign * curvature_[b]; });
+    const std::size_t kept = std::max<std::size_t>(candidates.size() / 10, std::size_t{8} * count);
+    if (candidates.size() > kept) candidates.resize(kept);
+    return candidates;
+  }
+
+  const Triangulation& t_;
+  const EdgeLengths& lengths_;
+  const int quarter_turns_;  ///< total curvature 2 pi chi in units of pi/2
+  std::vector<Index> corners_;
+  std::vector<double> curvature_;
+};
+
+}  // namespace
+
+StatusOr<ConeTargets> SimpleConeTargets(const Triangulation& t, const EdgeLengths& lengths) {
+  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
+  return ConeSpread(t, lengths).Choose();
 }
 
 }  // namespace cirque

@@ -5,7 +5,6 @@
 
 #include "cirque/cones/cone_choice.h"
 #include "cirque/cones/cone_fit.h"
-#include "cirque/cones/descent.h"
 
 namespace cirque {
 namespace {
@@ -37,10 +36,10 @@ const OptionTable<GreedyOptions>& GreedyOptionTable() {
   return kTable;
 }
 
-StatusOr<std::vector<Cone>> GreedyCones::PlaceAtMost(const ConeProblem& problem, int count) const {
+StatusOr<std::vector<Cone>> GreedyCones::ChooseAtMost(const ConeProblem& problem, int count) const {
   if (options_.pick == "descent") {
-    return PlaceByDescent(problem, std::vector<bool>(problem.triangulation().num_vertices, true),
-                          count);
+    return ChooseByDescent(problem, std::vector<bool>(problem.triangulation().num_vertices, true),
+                           count);
   }
   StatusOr<ConeChoice> choice = ConeChoice::Make(problem, count);
   if (!choice.ok()) return choice.status();

@@ -13,9 +13,9 @@ const OptionTable<GreedyOptions>& GreedyOptionTable();
 
 /// One cone after the other.
 ///
-/// `pick`: `extreme` puts the next cone where the predicted |u| is greatest, u being the log scale
+/// `pick`: `extreme` chooses the next cone where the predicted |u| is greatest, u being the log scale
 /// of the cones so far at which u is made 0 (Ben-Chen, Gotsman, Bunin 2008; as the cones of
-/// Sawhney, Crane, "Boundary first flattening", 2017). `descent` puts it where a little curvature
+/// Sawhney, Crane, "Boundary first flattening", 2017). `descent` where a little curvature
 /// lowers the distortion 1/2 sum a u^2 of the best curvatures so far most, and ends in least
 /// squares. `fit`, with extreme: the curvatures at the end: `least_squares` those of least
 /// distortion that the corners can carry; `zero_at_cones` those that make u = 0 at the cones, where
@@ -28,7 +28,7 @@ class GreedyCones final : public BudgetedHeuristic {
       : BudgetedHeuristic(options), options_(options) {}
 
  protected:
-  StatusOr<std::vector<Cone>> PlaceAtMost(const ConeProblem& problem, int count) const override;
+  StatusOr<std::vector<Cone>> ChooseAtMost(const ConeProblem& problem, int count) const override;
 
  private:
   GreedyOptions options_;

@@ -7,6 +7,7 @@
 #include "cirque/cones/registry.h"
 
 namespace cirque {
+
 const OptionTable<MovingOptions>& MovingOptionTable() {
   static const OptionTable<MovingOptions> kTable("moving", [] {
     auto fields = BudgetFields<MovingOptions>();
@@ -23,7 +24,7 @@ const OptionTable<MovingOptions>& MovingOptionTable() {
                       0,
                       1e6,
                       {},
-                      "the most cones that are put elsewhere at once"});
+                      "the most cones that are moved elsewhere at once"});
     return fields;
   }());
   return kTable;
@@ -44,8 +45,8 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
       std::make_shared<MovingCones>(*std::move(start), options));
 }
 
-StatusOr<std::vector<Cone>> MovingCones::Place(const ConeProblem& problem) const {
-  StatusOr<std::vector<Cone>> cones = start_->Place(problem);
+StatusOr<std::vector<Cone>> MovingCones::Choose(const ConeProblem& problem) const {
+  StatusOr<std::vector<Cone>> cones = start_->Choose(problem);
   if (!cones.ok()) return cones;
   const auto is_fixed = [&](const Cone& c) {
     return c.lower == c.upper && problem.IsCandidate(c.vertex);

@@ -8,7 +8,7 @@
 namespace cirque {
 
 struct MovingOptions : ConeBudget {
-  std::string start = "greedy";  ///< the heuristic that places the cones first
+  std::string start = "greedy";  ///< the heuristic that chooses the cones first
   int max_sweeps = 30;
   std::string measure = "area";  ///< or "angle"
   int relocations = 0;
@@ -21,8 +21,8 @@ const OptionTable<MovingOptions>& MovingOptionTable();
 /// edges down the slope of the distortion, and where the distortion of the best curvatures is then
 /// lower, stays. The slope at all vertices is one solve (ConeFit::Descent) and a trial one more,
 /// all with one factor of the Laplacian: a trial exchanges a row of the small least-squares problem
-/// and nothing is factored again. Where no cone moves any more, cones that are missed least are put
-/// where one more would help most, at most `relocations` times.
+/// and nothing is factored again. Where no cone moves any more, cones that are missed least are moved
+/// to where one more would help most, at most `relocations` times.
 ///
 /// `measure`: `area`, the predicted area distortion sqrt(sum a u^2); `angle`, the predicted mean of
 /// the quasi-conformal distortion (AngleMeasure), which cones of little area distortion need not
@@ -38,7 +38,7 @@ class MovingCones final : public ConeHeuristic {
   MovingCones(std::shared_ptr<const ConeHeuristic> start, MovingOptions options)
       : start_(std::move(start)), options_(std::move(options)) {}
 
-  StatusOr<std::vector<Cone>> Place(const ConeProblem& problem) const override;
+  StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const override;
 
  private:
   std::shared_ptr<const ConeHeuristic> start_;

@@ -1,14 +1,51 @@
 #include "cirque/cones/registry.h"
 
+#include <utility>
+
 #include "cirque/cones/curvature_peaks.h"
-#include "cirque/cones/fixed_cones.h"
 #include "cirque/cones/greedy_cones.h"
-#include "cirque/cones/l1_cones.h"
 #include "cirque/cones/moving_cones.h"
-#include "cirque/cones/reweighted_cones.h"
+#include "cirque/cones/sparse_cones.h"
+#include "cirque/io/cone_file.h"
 
 namespace cirque {
 namespace {
+
+class NoCones final : public ConeHeuristic {
+ public:
+  StatusOr<std::vector<Cone>> Choose(const ConeProblem& /*problem*/) const override {
+    return std::vector<Cone>();
+  }
+};
+
+struct GivenOptions {
+  std::string file;
+};
+
+const OptionTable<GivenOptions>& GivenOptionTable() {
+  static const OptionTable<GivenOptions> kTable(
+      "given", {{"file", &GivenOptions::file, 0, 0, {}, "a cone file: 'vertex min max' a line"}});
+  return kTable;
+}
+
+class GivenCones final : public ConeHeuristic {
+ public:
+  explicit GivenCones(GivenOptions options) : options_(std::move(options)) {}
+
+  StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const override {
+    if (options_.file.empty()) {
+      return Status::InvalidInput("given: name the cone file, as in given:file=PATH");
+    }
+    const ConeSource& source = problem.source();
+    const StatusOr<ConeTargets> targets =
+        ReadConeFile(options_.file, *source.triangulation, source.file);
+    if (!targets.ok()) return targets.status();
+    return ConesOf(*source.triangulation, *targets);
+  }
+
+ private:
+  GivenOptions options_;
+};
 
 using Made = StatusOr<std::shared_ptr<const ConeHeuristic>>;
 
@@ -37,8 +74,9 @@ const Registry<ConeHeuristicFactory>& ConeHeuristics() {
   return kTable;
 }
 
-Made MakeConeHeuristic(const std::string& name, const OptionMap& options) {
-  const auto factory = ConeHeuristics().Find(name);
+Made MakeConeHeuristic(const std::string& name, const OptionMap& options,
+                       const Registry<ConeHeuristicFactory>& heuristics) {
+  const auto factory = heuristics.Find(name);
   if (!factory.ok()) return factory.status();
   return (*factory)(options);
 }

@@ -12,12 +12,20 @@ namespace cirque {
 using ConeHeuristicFactory =
     std::function<StatusOr<std::shared_ptr<const ConeHeuristic>>(const OptionMap&)>;
 
-/// The table of heuristics, one line an entry in registry.cc.
+/// The table of heuristics, one line an entry in registry.cc. Besides those of a file of their own:
+///   none   no cones at all: enough for a torus and for every surface with a boundary; on other
+///          closed surfaces Gauss-Bonnet then refuses the targets
+///   given  the cones of a file (io/cone_file.h), with their ranges; errors as of ReadConeFile
 const Registry<ConeHeuristicFactory>& ConeHeuristics();
 
-/// The heuristic of that name with those options; errors name the option, its value and its bound.
-StatusOr<std::shared_ptr<const ConeHeuristic>> MakeConeHeuristic(const std::string& name,
-                                                                 const OptionMap& options = {});
+/// The heuristic of that name with those options. Errors (invalid input): an unknown name, with all
+/// that are known; an option that is unknown or out of bounds. A program with a heuristic of its own
+/// extends the table and hands it here:
+///   MakeConeHeuristic("mine", options, *ConeHeuristics().With("mine", factory)).
+/// (`moving` starts from one of ConeHeuristics() whatever the table.)
+StatusOr<std::shared_ptr<const ConeHeuristic>> MakeConeHeuristic(
+    const std::string& name, const OptionMap& options = {},
+    const Registry<ConeHeuristicFactory>& heuristics = ConeHeuristics());
 
 /// A factory whose heuristic H is constructed from its options struct O, read through `table`.
 template <class H, class O>

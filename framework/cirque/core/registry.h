@@ -11,7 +11,8 @@
 namespace cirque {
 
 /// A table from names to things of one kind (usually factories), written out in one file, one line
-/// an entry.
+/// an entry. A registry is a value that never changes: a program that adds a thing of its own makes
+/// a larger table (With) and hands that on.
 template <class T>
 class Registry {
  public:
@@ -40,6 +41,16 @@ class Registry {
       if (known == name) return value;
     }
     return Status::InvalidInput(UnknownName(kind_, name, Names()));
+  }
+
+  /// This table with an entry more, behind the others. Error (invalid input): the name is empty or
+  /// taken.
+  StatusOr<Registry> With(const std::string& name, T thing) const {
+    if (name.empty()) return Status::InvalidInput("a " + kind_ + " needs a name");
+    if (Find(name).ok()) return Status::InvalidInput(kind_ + " '" + name + "' exists already");
+    Registry larger = *this;
+    larger.entries_.emplace_back(name, std::move(thing));
+    return larger;
   }
 
  private:

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace cirque {
-
 std::string ToString(Termination termination) {
   switch (termination) {
     case Termination::kNotRun:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <string>
@@ -72,6 +73,16 @@ struct SolveControl {
   /// May be null. Has solved with a matrix near the Hessian at the start (SolverStrategy's
   /// MakeSystemSolver), for strategies that solve their systems iteratively.
   SystemSolver* system_solver = nullptr;
+};
+
+/// Wall-clock seconds since construction.
+class Timer {
+ public:
+  double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace cirque

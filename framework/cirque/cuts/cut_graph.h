@@ -4,8 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "cirque/core/cut.h"
+#include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 
@@ -26,5 +27,14 @@ namespace cirque {
 /// a sphere with fewer than two cones, which no cut through them opens.
 StatusOr<Cut> CutGraph(const Triangulation& triangulation, const Eigen::VectorXd& edge_cost,
                        const std::vector<Index>& cones);
+
+/// The interior vertices whose angle sum is not required to be 2 pi.
+std::vector<Index> ConeVertices(const Triangulation& triangulation, const ConeTargets& targets);
+
+/// Whether the surface can be laid out along the cut: every patch a disk, every cone on the
+/// boundary of its patches. Errors (invalid input): all patches and cones concerned, numbered from
+/// 0, and what to do.
+Status CheckCut(const Triangulation& triangulation, const Cut& cut,
+                const std::vector<Index>& cones);
 
 }  // namespace cirque

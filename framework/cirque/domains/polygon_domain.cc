@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/core/timer.h"
 #include "cirque/domains/disk_domain.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/math/moebius.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/core/timer.h"
 #include "cirque/domains/disk_domain.h"
 #include "cirque/domains/plane_domain.h"
 #include "cirque/domains/polygon_domain.h"

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/core/timer.h"
 #include "cirque/domains/pole.h"
 #include "cirque/domains/sphere_measures.h"
 #include "cirque/domains/sphere_normalization.h"

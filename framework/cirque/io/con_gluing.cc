@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/core/disjoint_sets.h"
+#include "cirque/core/grouping.h"
 #include "cirque/core/triangulation.h"
 
 namespace cirque {

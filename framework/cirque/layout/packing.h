@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cirque/core/counting_sort.h"
-#include "cirque/core/disjoint_sets.h"
+#include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 
 namespace cirque {

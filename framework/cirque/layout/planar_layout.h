@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/layout/open_surface.h"

@@ -2,10 +2,10 @@
 
 #include <atomic>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/option_table.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
 

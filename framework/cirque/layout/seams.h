@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 

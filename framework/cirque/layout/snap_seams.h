@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cirque/core/cut.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/layout/seams.h"
 
 namespace cirque {

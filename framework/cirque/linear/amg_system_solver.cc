@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/linear/conjugate_gradients.h"
 #include "cirque/linear/patch_smoother.h"
 #include "cirque/linear/registry.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/linear/conjugate_gradients.h"
 #include "cirque/linear/patch_smoother.h"
 #include "cirque/linear/sparse_matrix.h"

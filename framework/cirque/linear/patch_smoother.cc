@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/core/counting_sort.h"
-#include "cirque/core/disjoint_sets.h"
+#include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 #include "cirque/linear/sparse_matrix.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/core/disjoint_sets.h"
+#include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 #include "cirque/io/point_index.h"
 #include "cirque/mesh/fan_split.h"

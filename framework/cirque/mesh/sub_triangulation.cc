@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cirque/core/cut.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 

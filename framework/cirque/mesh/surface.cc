@@ -6,7 +6,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/core/counting_sort.h"
+#include "cirque/core/grouping.h"
 
 namespace cirque {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cirque/core/text.h"
-#include "cirque/cuts/edge_cost_file.h"
+#include "cirque/cuts/edge_files.h"
 #include "cirque/intrinsic/corner_angles.h"
 
 namespace cirque {

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "cirque/angles/angle_fit.h"
+#include "cirque/angles/infeasibility.h"
 #include "cirque/angles/registry.h"
-#include "cirque/angles/targets.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/core/timer.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/move_vertices.h"
 #include "cirque/math/compensated_sum.h"
@@ -148,7 +148,7 @@ class Flattening {
     if (!objective.ok()) return objective.status();
     const ConeTargets targets = TransferTargets(input_, targets_, t());
     const AngleConstraints constraints(t(), targets);
-    const auto method = MakeAngleFitMethod(options_.angle_solver, SolverOptions());
+    const auto method = MakeAngleSolver(options_.angle_solver, SolverOptions());
     if (!method.ok()) return method.status();
     const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
     const AngleFitProblem problem = {constraints, reference.value, options_.epsilon,
@@ -186,7 +186,7 @@ class Flattening {
   void RetryByInteriorPoint(const AngleFitProblem& problem,
                             const std::shared_ptr<const AngleObjective>& objective,
                             AngleFitResult* fit, Status* status) {
-    const auto method = MakeAngleFitMethod(kRetry);
+    const auto method = MakeAngleSolver(kRetry);
     if (!method.ok()) return;
     AngleFitResult retried;
     const Status again = cirque::FitAngles(problem, objective, **method, control_, &retried);

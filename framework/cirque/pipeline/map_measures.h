@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cirque/core/metric.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/core/timer.h"
 #include "cirque/pipeline/parameterize.h"
 
 namespace cirque {

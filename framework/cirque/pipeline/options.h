@@ -9,7 +9,7 @@ namespace cirque {
 struct ParameterizeOptions {
   std::string triangulation = "delaunay";  ///< "delaunay": intrinsic Delaunay flips; "input": none
   std::string angle_objective = "quadratic";  ///< a name of AngleObjectives()
-  std::string angle_solver = "auto";          ///< a name of AngleStrategyNames()
+  std::string angle_solver = "auto";          ///< a name of AngleSolverNames()
   std::string radii_solver = "auto";          ///< a name of SolverStrategies(), for the log radii
   std::string layout = "directions";          ///< or "least_squares" (Poisson)
   /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,

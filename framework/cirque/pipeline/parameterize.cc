@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/core/timer.h"
-#include "cirque/cuts/check_cut.h"
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/open_surface.h"

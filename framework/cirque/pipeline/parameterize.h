@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/flatten.h"

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "cirque/cones/cone_angles.h"
+#include "cirque/cones/cone.h"
+#include "cirque/cones/curvature_peaks.h"
 #include "cirque/cones/registry.h"
-#include "cirque/cones/simple_cones.h"
 #include "cirque/core/name_with_options.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 
@@ -27,7 +27,7 @@ StatusOr<ConeTargets> MovedCones(const Triangulation& t, const EdgeLengths& leng
                                                       {"cones", std::to_string(count)},
                                                       {"max_sweeps", std::to_string(sweeps)}});
   if (!heuristic.ok()) return heuristic.status();
-  const StatusOr<std::vector<Cone>> cones = (*heuristic)->Place(problem);
+  const StatusOr<std::vector<Cone>> cones = (*heuristic)->Choose(problem);
   return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
 }
 
@@ -43,7 +43,7 @@ StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
                                         const ParameterizeOptions& options) {
   if (!options.cones.empty()) {
     const auto heuristic = NamedHeuristic(options);
-    return heuristic.ok() ? (*heuristic)->Place(problem) : heuristic.status();
+    return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
   }
   if (options.cone_budget >= 0) {
     return Status::InvalidInput("a cone budget needs a heuristic: name it as `cones`, one of " +

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cirque/core/cut.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/pipeline/certificate.h"

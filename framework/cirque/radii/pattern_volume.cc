@@ -1,5 +1,3 @@
-#include "cirque/radii/pattern_volume.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/solver/newton_loop.h"
+#include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {
 namespace {

@@ -2,11 +2,15 @@
 
 #include <memory>
 
+#include <Eigen/Core>
+
 #include "cirque/core/metric.h"
 #include "cirque/core/parallel.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/linear/system_solver.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
@@ -18,9 +22,9 @@ struct LogRadiiResult {
   SolveSummary solve;            ///< of the strategy, from there
   double gradient_max = kUnset;  ///< largest deviation of a face's angle sum from pi, doubled [rad]
   double energy = kUnset;        ///< S at the solution
-  double dual_energy =
-      kUnset;  ///< Rivin's and Leibon's dual at the same point: equal to S at the minimum
+  double dual_energy = kUnset;   ///< Rivin's and Leibon's dual there: equal to S at the minimum
 
+  /// |energy - dual_energy| / (1 + |energy|).
   double RelativeGap() const;
 };
 
@@ -40,8 +44,11 @@ class RadiiSystem {
   BackgroundTask analysis_;
 };
 
-/// Minimises the circle-pattern energy of the coherent angles from the least-squares start
-/// (docs/mathematics.md, Radii). kNotConverged when the gradient stays above 1e-9 rad.
+/// Minimises the circle-pattern energy of the coherent angles from MaximizePatternVolume's start
+/// (docs/mathematics.md, Radii): the log radii, of mean 0, whose flat triangles meet at every edge
+/// under its theta. All of `result` is filled in whatever the outcome. Errors: kNotConverged when
+/// the gradient stays above 1e-9 rad (the intersection angles then need not belong to any flat
+/// surface), kCancelled.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      RadiiSystem* system, LogRadiiResult* result);
@@ -51,11 +58,38 @@ Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& a
                      const SolverStrategy& strategy, const SolveControl& control,
                      LogRadiiResult* result);
 
-/// The corner angles phi of the flat triangles with these radii [rad], 3F, and their edge lengths
-/// 2 e^rho sin(phi), E.
+/// The corner angles of the flat triangles with these radii, 3F [rad]:
+///   phi = theta*/2 - atan(tanh(d/2) tan(theta*/2))   opposite interior edges, d = rho_i - rho_j,
+///   alpha                                            opposite boundary edges.
+/// A face's three add up to pi where the radii are those of the pattern.
 CornerAngles FlatCornerAngles(const Triangulation& triangulation, const CoherentAngles& angles,
                               const LogRadii& log_radii);
+
+/// Their edge lengths 2 e^rho sin(phi), E, of the face on the left of each edge's halfedge.
 EdgeLengths FlatEdgeLengths(const Triangulation& triangulation, const CornerAngles& flat_angles,
                             const LogRadii& log_radii);
+
+/// A start for the log radii from the dual side (Rivin, Annals of Math. 139, 1994; Leibon, Geom.
+/// Topol. 6, 2002). Among the angles of an interior edge that keep every triangle's sum,
+///   phi_i = alpha_i + x_e,   phi_j = alpha_j - x_e,
+/// the pattern's own maximise the concave volume
+///   V(x) = sum_int L(phi_i) + L(phi_j)
+///   V'   = log(sin phi_j / sin phi_i) =: G
+///   -V'' = sin theta* / (sin phi_i sin phi_j).
+/// Its Newton step is a weighted least-squares problem for the multipliers, which are the log radii:
+///   minimise sum w (rho_i - rho_j - G)^2,   w = -1 / V'';
+///   x += t w (G - (rho_i - rho_j)).
+/// The first rho is the least-squares start (docs/mathematics.md, Radii). From there Newton on the
+/// radii is lost among saturated half-angles where circles nearly touch (theta near its margin: 37
+/// and over 100 steps measured on cgal meshes); on the angles, which those edges hardly constrain,
+/// the same linear systems need 1 to 7, and the iterates stay coherent.
+///
+/// Stops when the circle-pattern energy's gradient at rho (F) is at most `gradient_max` [rad], or
+/// when no more progress is made; no failure of its own: what is missing, the strategy that starts
+/// from rho makes up or reports. `solver` then is ready for that strategy. The summary counts linear
+/// algebra only.
+SolveSummary MaximizePatternVolume(const Triangulation& triangulation, const CoherentAngles& angles,
+                                   const CirclePatternEnergy& energy, double gradient_max,
+                                   SystemSolver* solver, Eigen::VectorXd* rho);
 
 }  // namespace cirque

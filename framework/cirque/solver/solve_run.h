@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/linear/sparse_cholesky.h"
 #include "cirque/solver/kinks.h"
 #include "cirque/solver/solver_strategy.h"

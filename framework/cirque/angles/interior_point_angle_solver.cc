@@ -1,4 +1,4 @@
-#include "cirque/angles/interior_point_angle_fit.h"
+#include "cirque/angles/interior_point_angle_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "cirque/core/timer.h"
 #include "cirque/energy/quadratic_and_entropy_objectives.h"
 #include "cirque/linear/registry.h"
+#include "cirque/core/solve_summary.h"
 
 namespace cirque {
 namespace {
@@ -255,19 +256,20 @@ const OptionTable<InteriorPointOptions>& InteriorPointOptionTable() {
   return kTable;
 }
 
-Status InteriorPointAngleFit::Fit(const AngleFitProblem& problem,
-                                  const std::shared_ptr<const AngleObjective>& objective,
-                                  const SolveControl& control, AngleFitResult* result) const {
+Status InteriorPointAngleSolver::Fit(const AngleFitProblem& problem,
+                                     const std::shared_ptr<const AngleObjective>& objective,
+                                     const SolveControl& control, AngleFitResult* result) const {
   if (dynamic_cast<const QuadraticObjective*>(objective.get()) == nullptr) {
     return Status::InvalidInput(
         "interior_point fits quadratic objectives only (quadratic, weighted_quadratic, "
-        "least_squares): use another angle strategy for this objective");
+        "least_squares): use another angle solver for this objective");
   }
   const AngleProgram program(problem, *objective);
   InfeasibilityWatch watch(problem.constraints, objective->Margin(problem.epsilon));
   InteriorPointSolve solve(program, problem.constraints, options_, control, &watch);
   result->solve = solve.Run();
-  return FinishFit(problem, *objective, watch.proof(), solve.Angles(), solve.multipliers(), result);
+  return FinishFit(problem, *objective, watch.certificate(), solve.Angles(), solve.multipliers(),
+                   result);
 }
 
 }  // namespace cirque

@@ -4,8 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cirque/core/cut.h"
+#include <Eigen/Core>
+
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {
@@ -41,5 +43,18 @@ std::string FormatCut(const Triangulation& triangulation, const FileNumbers& num
 /// Writes the file whole or not at all.
 Status WriteCutFile(const std::string& path, const Triangulation& triangulation,
                     const FileNumbers& numbers, const Cut& cut);
+
+/// A file of edge costs: a line `from to cost` for every edge that is not to cost what its length
+/// does: all edges between the vertices `from` and `to`, counted from 1 as in an OBJ file and in
+/// either order, cost `cost` (>= 0, finite) times as much. '#' begins a comment, empty lines are
+/// skipped. Gives one factor an edge. Errors (invalid input), each with file:line: not two whole
+/// numbers and a cost, no such vertex, no such edge, an edge named twice.
+StatusOr<Eigen::VectorXd> ParseEdgeCosts(const std::string& path, std::string_view text,
+                                         const Triangulation& triangulation,
+                                         const std::vector<Index>& vertex_in_file);
+
+StatusOr<Eigen::VectorXd> ReadEdgeCostFile(const std::string& path,
+                                           const Triangulation& triangulation,
+                                           const std::vector<Index>& vertex_in_file);
 
 }  // namespace cirque

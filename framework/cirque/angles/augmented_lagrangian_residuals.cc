@@ -1,5 +1,3 @@
-#include "cirque/angles/angle_residuals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,6 +5,8 @@
 
 #include <ceres/cost_function.h>
 #include <ceres/sized_cost_function.h>
+
+#include "cirque/angles/augmented_lagrangian_angle_solver.h"
 
 namespace cirque {
 namespace {

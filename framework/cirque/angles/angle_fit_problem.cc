@@ -1,4 +1,4 @@
-#include "cirque/angles/kkt_report.h"
+#include "cirque/angles/angle_fit_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,11 +66,11 @@ class InequalityCheck {
     const auto slope = [&](double raw, double x) {
       return objective_.Distance(objective_.ClampReference(raw, problem_.epsilon), x).slope;
     };
-    const double wanted = problem_.constraints.Slope(y_.data(), h);
-    largest_slope_ = std::max(largest_slope_, std::abs(wanted));
+    const double target = problem_.constraints.Slope(y_.data(), h);
+    largest_slope_ = std::max(largest_slope_, std::abs(target));
     double gradient = slope(problem_.reference[h], alpha_[h]);
     if (objective_.MeasuresTheta()) gradient -= slope(theta_reference, theta);
-    return wanted - gradient;
+    return target - gradient;
   }
 
   /// A multiplier with the angle that it holds above the margin.

@@ -1,4 +1,4 @@
-#include "cirque/angles/augmented_lagrangian_angle_fit.h"
+#include "cirque/angles/augmented_lagrangian_angle_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,8 @@
 #include <ceres/solver.h>
 #include <fmt/format.h>
 
-#include "cirque/angles/angle_residuals.h"
 #include "cirque/angles/infeasibility.h"
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 
 namespace cirque {
 namespace {
@@ -53,7 +52,7 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
 
   const Eigen::VectorXd& angles() const { return alpha_; }
   const Eigen::VectorXd& multipliers() const { return state_.y; }
-  const InfeasibilityCertificate& proof() const { return watch_.proof(); }
+  const InfeasibilityCertificate& certificate() const { return watch_.certificate(); }
 
   /// Ceres's callback: records accepted steps and knows when to end.
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
@@ -214,13 +213,14 @@ const OptionTable<AugmentedLagrangianOptions>& AugmentedLagrangianOptionTable() 
   return kTable;
 }
 
-Status AugmentedLagrangianAngleFit::Fit(const AngleFitProblem& problem,
-                                        const std::shared_ptr<const AngleObjective>& objective,
-                                        const SolveControl& control, AngleFitResult* result) const {
+Status AugmentedLagrangianAngleSolver::Fit(const AngleFitProblem& problem,
+                                           const std::shared_ptr<const AngleObjective>& objective,
+                                           const SolveControl& control,
+                                           AngleFitResult* result) const {
   AugmentedLagrangianSolve solve(problem, *objective, options_, control);
   result->solve = solve.Run();
-  const Status status =
-      FinishFit(problem, *objective, solve.proof(), solve.angles(), solve.multipliers(), result);
+  const Status status = FinishFit(problem, *objective, solve.certificate(), solve.angles(),
+                                  solve.multipliers(), result);
   result->solve.final_value = result->kkt.primal;
   return status;
 }

@@ -12,8 +12,8 @@ namespace cirque {
 struct InteriorPointOptions {
   int max_iterations = 100;
   double gap_tolerance = 1e-15;  ///< largest sum of multiplier * slack, relative to 1 + |objective|
-  double feasibility_tolerance =
-      1e-11;  ///< largest residual of sums [rad], and relative one of stationarity
+  /// Largest residual of sums [rad], and relative one of stationarity.
+  double feasibility_tolerance = 1e-11;
   double max_seconds = 1e9;
   std::string linear_solver;  ///< a name of LinearSolvers(); empty: its first
 };
@@ -28,9 +28,9 @@ const OptionTable<InteriorPointOptions>& InteriorPointOptionTable();
 /// The callback gets the angles. Source: S. Mehrotra, On the implementation of a primal-dual
 /// interior point method, SIAM J. Optim. 2 (1992); Nocedal & Wright, Numerical Optimization,
 /// algorithm 16.4.
-class InteriorPointAngleFit final : public AngleFitMethod {
+class InteriorPointAngleSolver final : public AngleSolver {
  public:
-  explicit InteriorPointAngleFit(const InteriorPointOptions& options) : options_(options) {}
+  explicit InteriorPointAngleSolver(const InteriorPointOptions& options) : options_(options) {}
   Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
              const SolveControl& control, AngleFitResult* result) const override;
 
