@@ -28,8 +28,8 @@ TEST(AngleFit, SymmetricFanSplitsTheFullAngleEvenly) {
   const Fitted fitted = Fit(fan, FreeBoundaryTargets(fan.triangulation));
   ASSERT_TRUE(fitted.status.ok()) << fitted.status.message();
   for (Index h = 0; h < fan.triangulation.num_halfedges(); ++h) {
-    const double wanted = fan.triangulation.vertex[h] == 0 ? 2 * kPi / 5 : 3 * kPi / 10;
-    EXPECT_NEAR(fitted.result.angles.value[h], wanted, 1e-12);
+    const double expected = fan.triangulation.vertex[h] == 0 ? 2 * kPi / 5 : 3 * kPi / 10;
+    EXPECT_NEAR(fitted.result.angles.value[h], expected, 1e-12);
   }
 }
 
@@ -71,7 +71,7 @@ TEST(AngleFit, FixedBoundaryAnglesAreMet) {
   EXPECT_NEAR(sums[6 + 2], blunt, 1e-11);
 }
 
-TEST(AngleFit, AnglesOnTheEdgeOfDelaunayAreProvenImpossible) {
+TEST(AngleFit, AnglesOnTheEdgeOfDelaunayAreCertifiedImpossible) {
   // A regular triangle from a hexagonal fan: the edges to its corners see two right angles.
   const Surface fan = Fan(6, 0.5);
   ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
@@ -89,7 +89,7 @@ TEST(AngleFit, MarginShrinksWhereValenceForcesIt) {
   EXPECT_GE(fitted.result.kkt.smallest_angle, fitted.result.angles.epsilon - 1e-12);
 }
 
-TEST(AngleFit, ProvesThatAKleetopeHasNoCoherentAngles) {
+TEST(AngleFit, CertifiesThatAKleetopeHasNoCoherentAngles) {
   const Surface kleetope = Kleetope(GeneratedSurface("bumpy_terrain", 200));
   const Fitted fitted = Fit(kleetope, FreeBoundaryTargets(kleetope.triangulation));
   EXPECT_EQ(fitted.status.code(), StatusCode::kInfeasible);
@@ -98,7 +98,7 @@ TEST(AngleFit, ProvesThatAKleetopeHasNoCoherentAngles) {
   EXPECT_FALSE(fitted.result.infeasibility.carrying_faces.empty());
 }
 
-TEST(AngleFit, AnImpossibleConeIsProvenImpossible) {
+TEST(AngleFit, AnImpossibleConeIsCertifiedImpossible) {
   // Two triangles' worth of corners cannot make 2 pi: each is below pi.
   const Surface fan = Fan(6, 0.5);
   ConeTargets targets = FreeBoundaryTargets(fan.triangulation);
@@ -106,7 +106,7 @@ TEST(AngleFit, AnImpossibleConeIsProvenImpossible) {
   EXPECT_EQ(Fit(fan, targets).status.code(), StatusCode::kInfeasible);
 }
 
-TEST(Infeasibility, MarginOfMultipliersThatProveNothingIsNotPositive) {
+TEST(Infeasibility, MarginOfMultipliersThatCertifyNothingIsNotPositive) {
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
   const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
   const AngleConstraints constraints(surface.triangulation, targets);

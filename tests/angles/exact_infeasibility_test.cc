@@ -10,7 +10,7 @@
 namespace cirque {
 namespace {
 
-/// Vertex 1 of a fan of 6 has two corners and must reach `sum` pi: multiplier 1 there is a proof
+/// Vertex 1 of a fan of 6 has two corners and must reach `sum` pi: multiplier 1 there is a certificate
 /// from 2 on, for margin eps from 2 (1 - 2 eps) on (both opposite edges are inner ones).
 InfeasibilityCertificate TwoCorners(double sum, double epsilon_over_pi = 0) {
   InfeasibilityCertificate certificate;
@@ -24,50 +24,50 @@ InfeasibilityCertificate TwoCorners(double sum, double epsilon_over_pi = 0) {
 
 class ExactInfeasibilityCertificate : public ::testing::Test {
  protected:
-  bool Proves(const InfeasibilityCertificate& certificate) const {
+  bool Holds(const InfeasibilityCertificate& certificate) const {
     return HoldsExactly(t_, certificate);
   }
   const Triangulation t_ = Fan(6, 0.5).triangulation;
 };
 
 TEST_F(ExactInfeasibilityCertificate, DecidesTheLastBit) {
-  EXPECT_TRUE(Proves(TwoCorners(2)));  // equality is enough at margin 0
-  EXPECT_FALSE(Proves(TwoCorners(std::nextafter(2, 0))));
-  EXPECT_FALSE(Proves(TwoCorners(2 * (1 - 2 * 0.125), 0.125)));  // at a margin it is not
-  EXPECT_TRUE(Proves(TwoCorners(std::nextafter(1.5, 2), 0.125)));
+  EXPECT_TRUE(Holds(TwoCorners(2)));  // equality is enough at margin 0
+  EXPECT_FALSE(Holds(TwoCorners(std::nextafter(2, 0))));
+  EXPECT_FALSE(Holds(TwoCorners(2 * (1 - 2 * 0.125), 0.125)));  // at a margin it is not
+  EXPECT_TRUE(Holds(TwoCorners(std::nextafter(1.5, 2), 0.125)));
 }
 
 TEST_F(ExactInfeasibilityCertificate, HoldsForMultipliersOfAnyMagnitude) {
   for (const double scale : {5e-324, 1e-200, 3.0, 1e300}) {
     InfeasibilityCertificate certificate = TwoCorners(2);
     certificate.vertex_multiplier[1] = scale;
-    EXPECT_TRUE(Proves(certificate)) << scale;
+    EXPECT_TRUE(Holds(certificate)) << scale;
     certificate.lower_over_pi[1] = std::nextafter(2, 0);
-    EXPECT_FALSE(Proves(certificate)) << scale;
+    EXPECT_FALSE(Holds(certificate)) << scale;
   }
 }
 
 TEST_F(ExactInfeasibilityCertificate, PlantedErrorsAreSeen) {
   InfeasibilityCertificate negative = TwoCorners(2.5);
   negative.vertex_multiplier[1] = -1;
-  EXPECT_FALSE(Proves(negative));
+  EXPECT_FALSE(Holds(negative));
   InfeasibilityCertificate nothing = TwoCorners(2.5);
   nothing.vertex_multiplier[1] = 0;
-  EXPECT_FALSE(Proves(nothing));
+  EXPECT_FALSE(Holds(nothing));
   InfeasibilityCertificate on_face = TwoCorners(2);
   on_face.face_multiplier[3] = 1e-300;  // a face's three corners add more on the right
-  EXPECT_FALSE(Proves(on_face));
+  EXPECT_FALSE(Holds(on_face));
   InfeasibilityCertificate short_one = TwoCorners(2.5);
   short_one.face_multiplier.pop_back();
-  EXPECT_FALSE(Proves(short_one));
+  EXPECT_FALSE(Holds(short_one));
   InfeasibilityCertificate undefined = TwoCorners(2.5);
   undefined.vertex_multiplier[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(Proves(undefined));
-  EXPECT_FALSE(Proves(TwoCorners(2.5, 0.4)));
+  EXPECT_FALSE(Holds(undefined));
+  EXPECT_FALSE(Holds(TwoCorners(2.5, 0.4)));
 }
 
-TEST_F(ExactInfeasibilityCertificate, RoundingOfTheTargetDecidesWhatIsProven) {
-  // 2 pi less one ulp leaves room, if little: nothing may be proven at margin 0.
+TEST_F(ExactInfeasibilityCertificate, RoundingOfTheTargetDecidesWhatIsCertified) {
+  // 2 pi less one ulp leaves room, if little: nothing may be certified at margin 0.
   ConeTargets targets = FreeBoundaryTargets(t_);
   targets.lower[1] = targets.upper[1] = std::nextafter(2 * kPi, 0);
   const AngleConstraints constraints(t_, targets);

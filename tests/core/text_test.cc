@@ -24,5 +24,22 @@ TEST(Text, IdListIsCut) {
   EXPECT_EQ(IdList({1, 2, 3, 4}, 2), "1, 2 and 2 more");
 }
 
+TEST(Text, TheNearestOfSeveralWinsAndShortWordsForgiveTwoLetters) {
+  const std::vector<std::string> known = {"area", "angle", "angles"};
+  EXPECT_EQ(NearestWord("angel", known), "angle");
+  EXPECT_EQ(NearestWord("angless", known), "angles");
+  EXPECT_EQ(NearestWord("ar", known), "area");
+  EXPECT_EQ(NearestWord("zzzz", known), "");
+  for (const std::string& word : known) EXPECT_EQ(NearestWord(word, known), word);
+}
+
+TEST(Text, JoinTakesAnySeparator) {
+  EXPECT_EQ(Join({}), "");
+  EXPECT_EQ(Join({"a"}), "a");
+  EXPECT_EQ(Join({"a", "b", "c"}, " | "), "a | b | c");
+  EXPECT_EQ(IdList({}), "");
+  EXPECT_EQ(IdList({4, 5, 6}, 3), "4, 5, 6");
+}
+
 }  // namespace
 }  // namespace cirque

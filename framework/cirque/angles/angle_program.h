@@ -17,6 +17,7 @@ namespace cirque {
 /// and touches one edge's angles, or one t.
 class AngleProgram {
  public:
+  /// The program of a fit. Its constraints must outlive the program.
   /// @pre the objective is quadratic: Distance has the same curvature everywhere.
   AngleProgram(const AngleFitProblem& problem, const AngleObjective& objective);
 
@@ -39,10 +40,12 @@ class AngleProgram {
   class Blocks {
    public:
     Blocks(const AngleProgram& program, const Eigen::VectorXd& q);
-    Eigen::VectorXd Solve(const Eigen::VectorXd& v) const;  ///< D^-1 v
-    Eigen::VectorXd SolveThenG(
-        const Eigen::VectorXd& v) const;  ///< G D^-1 v; sums of two angles without cancellation
-    void NormalMatrix(SparseMatrix* lower) const;  ///< B D^-1 B', lower triangle
+    /// D^-1 v.
+    Eigen::VectorXd Solve(const Eigen::VectorXd& v) const;
+    /// G D^-1 v, the sums of two angles without cancellation.
+    Eigen::VectorXd SolveThenG(const Eigen::VectorXd& v) const;
+    /// B D^-1 B', lower triangle.
+    void NormalMatrix(SparseMatrix* lower) const;
 
    private:
     double Determinant(int i, int j) const;

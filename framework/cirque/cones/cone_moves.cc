@@ -14,8 +14,8 @@ constexpr double kLeastGain = 1e-6;                         ///< relative, of a 
 constexpr int kAdaptations = 2, kLastAdaptations = 20;      ///< of the measure's form
 constexpr std::size_t kMostMissed = 8, kMostPositions = 4;  ///< tried by a relocation
 constexpr double kLeastRelocationGain = 1e-3;
-constexpr double kHopeless =
-    1.05;  ///< over the measure before: a new position not worth settling at
+/// Times the measure before: a new position not worth settling at.
+constexpr double kHopeless = 1.05;
 
 }  // namespace
 

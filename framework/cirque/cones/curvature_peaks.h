@@ -38,7 +38,7 @@ class CurvaturePeaks final : public BudgetedHeuristic {
 /// FreeBoundaryTargets. Deterministic.
 ///
 /// Gauss-Bonnet and the corners are necessary for coherent angles, not sufficient: meshes of
-/// mechanical parts with many handles can still be proven infeasible with these cones.
+/// mechanical parts with many handles can still turn out infeasible with these cones.
 ///
 /// Errors (invalid input): too few vertices with enough corners for the genus.
 StatusOr<ConeTargets> SimpleConeTargets(const Triangulation& triangulation,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kMaxIterations = 30, kMaxHalvings = 30;
 constexpr double kKeptShare = 0.05;  ///< of an angle, at least, in one step
-constexpr double kOvershoot =
-    0.5;  ///< slope at the end of a step, relative to its start, that is still accepted
+/// The slope at the end of a step, relative to its start, that is still accepted.
+constexpr double kOvershoot = 0.5;
 constexpr double kTolerance = 1e-2;     ///< of the change of the multipliers
 constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 

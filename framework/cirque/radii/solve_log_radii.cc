@@ -16,11 +16,11 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
-constexpr double kStartGradient =
-    1e-2;  ///< from where Newton on the radii converges in a few full steps
+constexpr double kStartGradient = 1e-2;  ///< whence Newton on the radii needs a few full steps
 
-/// max over angles with these theta of 2 sum L(alpha) - 2 sum L(theta*), which the flat angles
-/// attain.
+/// max over coherent alpha with these theta of
+///   2 sum L(alpha) - 2 sum L(theta*),
+/// the first sum over the corners opposite inner edges: the flat angles attain it.
 double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const CornerAngles& flat) {
   return ParallelSum(t.num_edges(), [&](Index e) {
     const Index h = t.edge_halfedge[e], g = t.twin[h];

@@ -1,6 +1,7 @@
+#include "cirque/angles/angle_fit_problem.h"
+
 #include <gtest/gtest.h>
 
-#include "cirque/angles/angle_fit_problem.h"
 #include "cirque/angles/registry.h"
 
 #include "tests/common/surfaces.h"

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "cirque/core/metric.h"
+
+#include <gtest/gtest.h>
 
 #include "tests/common/surfaces.h"
 
@@ -46,6 +46,40 @@ TEST(GaussBonnet, FreeBoundariesLeaveRoom) {
     EXPECT_EQ(straight.lower, 2 * kPi * EulerCharacteristic(t));
     EXPECT_EQ(straight.upper, straight.lower);
   }
+}
+
+TEST(FreeBoundaryTargets, FixTheInsideAndLeaveTheBoundaryAllThatCornersReach) {
+  const Triangulation fan = Fan(5, 0.3).triangulation;
+  const ConeTargets targets = FreeBoundaryTargets(fan);
+  EXPECT_TRUE(targets.IsFixed(0));
+  EXPECT_EQ(targets.lower[0], 2 * kPi);
+  for (Index v = 1; v <= 5; ++v) {
+    EXPECT_FALSE(targets.IsFixed(v));
+    EXPECT_EQ(targets.lower[v], 0);
+    EXPECT_EQ(targets.upper[v], 2 * kPi);  // two corners
+  }
+  // Whatever the angles of a disk, they lie within its targets but for the curvature inside.
+  const CornerAngles angles = AnglesOf(Fan(5, 0.3));
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(6);
+  for (Index h = 0; h < fan.num_halfedges(); ++h) sum[fan.vertex[h]] += angles.value[h];
+  for (Index v = 1; v <= 5; ++v) {
+    EXPECT_GT(sum[v], targets.lower[v]);
+    EXPECT_LT(sum[v], targets.upper[v]);
+  }
+  EXPECT_LT(sum[0], targets.lower[0]);
+}
+
+TEST(GaussBonnet, ManyConesOfAQuarterTurnAddUpExactly) {
+  // 2000 pairs of cones of curvature pi/2 and -pi/2: in radians their sum would round.
+  const Triangulation t = GeneratedSurface("torus", 10000).triangulation;
+  ASSERT_GE(t.num_vertices, 4000);
+  ConeTargets targets = FreeBoundaryTargets(t);
+  for (Index v = 0; v < 4000; ++v) {
+    targets.lower[v] = targets.upper[v] = kPi * (v % 2 ? 1.5 : 2.5);
+  }
+  EXPECT_EQ(MeasureGaussBonnetDefect(t, targets).lower, 0);
+  targets.lower[7] = targets.upper[7] = kPi * (1.5 + 1e-12);
+  EXPECT_NEAR(MeasureGaussBonnetDefect(t, targets).lower, 1e-12 * kPi, 1e-13);
 }
 
 }  // namespace

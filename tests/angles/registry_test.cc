@@ -1,4 +1,6 @@
-// Every angle-fit method on every objective: the same minimiser, the same report.
+// Every angle solver on every objective: the same minimiser, the same report.
+#include "cirque/angles/registry.h"
+
 #include <algorithm>
 #include <atomic>
 #include <set>
@@ -6,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/angles/registry.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "tests/common/surfaces.h"
@@ -103,7 +104,7 @@ TEST(AngleSolvers, SummariesSayWhatWasDone) {
   }
 }
 
-TEST(AngleSolvers, MethodsTakeRangedAngleSums) {
+TEST(AngleSolvers, TakeRangedAngleSums) {
   // The rim's angle sums are held to a range that binds at some vertices and not at others.
   const Surface surface = GeneratedSurface("bumpy_terrain", 200);
   const Triangulation& t = surface.triangulation;
@@ -152,7 +153,7 @@ TEST(AngleSolvers, FixedSumsAtEveryVertexLeaveAGaugeThatIsHandled) {
   }
 }
 
-TEST(AngleSolvers, EachProvesInfeasibility) {
+TEST(AngleSolvers, EachCertifiesInfeasibility) {
   const Surface kleetope = Kleetope(GeneratedSurface("bumpy_terrain", 100));
   for (const std::string& method : AngleSolvers().Names()) {
     SCOPED_TRACE(method);
@@ -163,7 +164,7 @@ TEST(AngleSolvers, EachProvesInfeasibility) {
   }
 }
 
-TEST(AngleSolvers, MarginsShrinkUnderEachMethod) {
+TEST(AngleSolvers, MarginsShrinkUnderEach) {
   const Surface fan = Fan(40, 0.1);
   // 40 corners of 0.12 rad would take more than half of the full angle.
   const AngleConstraints constraints(fan.triangulation, FreeBoundaryTargets(fan.triangulation));

@@ -1,10 +1,11 @@
+#include "cirque/cones/curvature_peaks.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/cones/curvature_peaks.h"
 #include "cirque/core/metric.h"
 #include "cirque/mesh/farthest_vertices.h"
 
