@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <gflags/gflags.h>
 
 #include "cirque/core/text.h"
 #include "cirque/domains/registry.h"
@@ -16,12 +15,6 @@
 
 namespace cirque {
 namespace {
-
-/// Flags of the program's own; those of gflags and of other libraries have no say here.
-bool IsGiven(const std::string& flag) {
-  gflags::CommandLineFlagInfo info;
-  return gflags::GetCommandLineFlagInfo(flag.c_str(), &info) && !info.is_default;
-}
 
 /// The flags that stand for what a domain reads or gives, where they are not called like it.
 std::vector<std::string> FlagsFor(const std::string& member) {
@@ -45,40 +38,33 @@ std::vector<std::string> FlagsOf(const Domain& domain) {
 }
 
 StatusOr<DomainOptions> OptionsOf(const DomainRequest& request, const FileNumbering& numbers) {
-  DomainOptions options;
-  if (Status s = numbers.Read("centre", request.centre, &options.centre); !s.ok()) return s;
-  if (Status s = numbers.Read("angle_zero", request.angle_zero, &options.angle_zero); !s.ok()) {
-    return s;
+  OptionMap shape = request.shape;
+  for (const OptionInfo& option : DomainOptionTable().Infos()) {
+    const auto given = shape.find(option.name);
+    if (option.unit != kVertexUnit || given == shape.end()) continue;
+    const StatusOr<std::vector<Index>> vertices = numbers.Read(option.name, given->second);
+    if (!vertices.ok()) return vertices.status();
+    given->second = ToText(*vertices);
   }
-  if (Status s = numbers.Read("pole", request.pole, &options.pole); !s.ok()) return s;
-  if (Status s = numbers.ReadList("corners", request.corners, &options.corners); !s.ok()) return s;
-  if (!request.normalization.empty()) options.normalization = request.normalization;
-  if (request.sides != 0) options.sides = request.sides;
-  options.principal_axes = request.principal_axes;
-  options.inversion = request.inversion;
-  return options;
+  std::erase_if(shape, [](const auto& entry) { return entry.second.empty(); });
+  DomainOptions options;
+  const Status status = DomainOptionTable().Set(shape, &options);
+  return status.ok() ? StatusOr<DomainOptions>(options) : status;
 }
 
 }  // namespace
 
-Status CheckDomainFlags(const std::string& name) {
+Status CheckDomainFlags(const std::string& name,
+                        const std::function<bool(const std::string&)>& is_given) {
   const StatusOr<Domain> domain = Domains().Find(name);
   if (!domain.ok()) return domain.status();
   const std::vector<std::string> own = FlagsOf(*domain);
   for (const std::string& other : Domains().Names()) {
     for (const std::string& flag : FlagsOf(*Domains().Find(other))) {
-      if (!IsGiven(flag) || std::find(own.begin(), own.end(), flag) != own.end()) continue;
+      if (!is_given(flag) || std::find(own.begin(), own.end(), flag) != own.end()) continue;
       return Status::InvalidInput(
           fmt::format("--domain={} takes no --{}; it takes {}", name, flag, Join(own)));
     }
-  }
-  if (IsGiven("corners") && IsGiven("sides")) {
-    return Status::InvalidInput("give --corners or --sides, not both");
-  }
-  const bool by_file = IsGiven("iv") || IsGiven("angle_sums");
-  if (name == "polygon" && by_file && (IsGiven("corners") || IsGiven("sides"))) {
-    return Status::InvalidInput(
-        "the file of angle sums names the polygon's corners; leave out --corners and --sides");
   }
   return Status();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "cirque/core/status.h"
@@ -9,8 +10,9 @@
 
 namespace cirque {
 
-/// Refuses an unknown domain, and flags given on the command line that this domain does not read.
-Status CheckDomainFlags(const std::string& domain);
+/// Refuses an unknown domain, and flags that are given and that this domain does not read.
+Status CheckDomainFlags(const std::string& domain,
+                        const std::function<bool(const std::string& flag)>& is_given);
 
 /// What the job asks of a map of the surface. Vertices that the job names are those of a mesh file
 /// with `num_file_vertices` vertices, from 1.

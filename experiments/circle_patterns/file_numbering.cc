@@ -13,8 +13,7 @@ FileNumbering::FileNumbering(const Surface& surface, Index count) : of_file_(cou
   }
 }
 
-Status FileNumbering::Read(const char* flag, const std::string& text, Index* vertex) const {
-  if (text.empty()) return Status();
+StatusOr<Index> FileNumbering::ReadOne(const std::string& flag, const std::string& text) const {
   Index number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) {
@@ -26,21 +25,21 @@ Status FileNumbering::Read(const char* flag, const std::string& text, Index* ver
     return Status::InvalidInput(fmt::format(
         "--{}: no face has vertex {}; the mesh has vertices 1 to {}", flag, number, count));
   }
-  *vertex = of_file_[number - 1];
-  return Status();
+  return of_file_[number - 1];
 }
 
-Status FileNumbering::ReadList(const char* flag, const std::string& text,
-                               std::vector<Index>* vertices) const {
+StatusOr<std::vector<Index>> FileNumbering::Read(const std::string& flag,
+                                                 const std::string& text) const {
+  std::vector<Index> vertices;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    Index vertex = kNone;
     const std::string word = text.substr(begin, end - begin);
-    if (Status s = Read(flag, word.empty() ? "," : word, &vertex); !s.ok()) return s;
-    vertices->push_back(vertex);
+    const StatusOr<Index> vertex = ReadOne(flag, word.empty() ? "," : word);
+    if (!vertex.ok()) return vertex.status();
+    vertices.push_back(*vertex);
     begin = end + 1;
   }
-  return Status();
+  return vertices;
 }
 
 }  // namespace cirque

@@ -14,13 +14,12 @@ class FileNumbering {
   /// `count`: of the vertices in the file, isolated ones included.
   FileNumbering(const Surface& surface, Index count);
 
-  /// One vertex; kNone stays where the text is empty. `flag` names it in messages.
-  Status Read(const char* flag, const std::string& text, Index* vertex) const;
-
-  /// "3,17,4".
-  Status ReadList(const char* flag, const std::string& text, std::vector<Index>* vertices) const;
+  /// "3,17,4", or a single vertex. `flag` names it in messages.
+  StatusOr<std::vector<Index>> Read(const std::string& flag, const std::string& text) const;
 
  private:
+  StatusOr<Index> ReadOne(const std::string& flag, const std::string& text) const;
+
   std::vector<Index> of_file_;
 };
 

@@ -11,15 +11,10 @@
 
 namespace cirque {
 
-/// The shape to map onto, as the flags say it: vertices by their numbers in the file, from 0;
-/// empty: chosen.
+/// The shape to map onto, as the flags say it.
 struct DomainRequest {
   std::string name = "plane";
-  std::string centre, angle_zero, pole;
-  std::string normalization;  ///< empty: as the domain has it
-  std::string corners;        ///< separated by commas
-  int sides = 0;              ///< 0: as the domain has it
-  bool principal_axes = false, inversion = true;
+  OptionMap shape;  ///< of DomainOptionTable(), vertices by their numbers in the file, from 1
 };
 
 /// What the program was asked to do.

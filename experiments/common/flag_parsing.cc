@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -11,69 +12,202 @@
 namespace cirque {
 namespace {
 
-std::vector<gflags::CommandLineFlagInfo> FlagsOf(const std::string& source) {
-  std::vector<gflags::CommandLineFlagInfo> all, own;
-  gflags::GetAllFlags(&all);
-  for (const gflags::CommandLineFlagInfo& flag : all) {
-    if (flag.filename.find(source) != std::string::npos) own.push_back(flag);
-  }
-  return own;
-}
-
-std::vector<std::string> NamesOf(const std::string& source) {
-  std::vector<std::string> names = {"help"};
-  for (const gflags::CommandLineFlagInfo& flag : FlagsOf(source)) names.push_back(flag.name);
-  return names;
-}
-
-/// A flag as written: --name=value, --name value, --name and --noname of a boolean.
-struct Argument {
-  std::string name, value;
-  bool has_value = false;
-};
-
-Argument Split(const std::string& text) {
-  const std::string body = text.substr(text.starts_with("--") ? 2 : 1);
-  const std::size_t equals = body.find('=');
-  if (equals == std::string::npos) return {body, "", false};
-  return {body.substr(0, equals), body.substr(equals + 1), true};
-}
-
-bool FindFlag(Argument* argument, gflags::CommandLineFlagInfo* info) {
-  if (gflags::GetCommandLineFlagInfo(argument->name.c_str(), info)) {
-    if (!argument->has_value && info->type == "bool") {
-      argument->value = "true";
-      argument->has_value = true;
-    }
-    return true;
-  }
-  const std::string positive =
-      argument->name.starts_with("no") ? argument->name.substr(2) : std::string();
-  if (argument->has_value || !gflags::GetCommandLineFlagInfo(positive.c_str(), info) ||
-      info->type != "bool") {
-    return false;
-  }
-  *argument = {positive, "false", true};
-  return true;
-}
-
-Status SetFlag(const Argument& argument, const std::string& type) {
-  if (!gflags::SetCommandLineOption(argument.name.c_str(), argument.value.c_str()).empty()) {
-    return Status();
-  }
-  return Status::InvalidInput(fmt::format("--{} expects a value of type {}, not '{}'",
-                                          argument.name, type, argument.value));
-}
-
-void UseNewName(const std::map<std::string, std::string>& former, Argument* argument) {
-  const auto renamed = former.find(argument->name);
-  if (renamed == former.end()) return;
-  fmt::print(stderr, "note: --{} is called --{} now\n", argument->name, renamed->second);
-  argument->name = renamed->second;
-}
+constexpr std::size_t kColumns = 100, kIndent = 31;
 
 bool Contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// `first`, then the words of the text in lines that start at kIndent.
+std::string Wrapped(std::string first, const std::string& text) {
+  std::string lines, line = std::move(first);
+  if (line.size() >= kIndent) {
+    lines = line + "\n";
+    line.clear();
+  }
+  line.resize(kIndent, ' ');
+  std::istringstream words(text);
+  bool is_first = true;
+  for (std::string word; words >> word; is_first = false) {
+    if (!is_first && line.size() + 1 + word.size() > kColumns) {
+      lines += line + "\n";
+      line.assign(kIndent, ' ');
+      is_first = true;
+    }
+    line += (is_first ? "" : " ") + word;
+  }
+  return lines + line + "\n";
+}
+
+/// "=WORD" and the like.
+std::string ValueName(const OptionInfo& option) {
+  switch (option.kind) {
+    case OptionKind::kBoolean:
+      return "";
+    case OptionKind::kInteger:
+      return "=INTEGER";
+    case OptionKind::kNumber:
+      return "=NUMBER";
+    case OptionKind::kText:
+      return option.words.empty() ? "=TEXT" : "=WORD";
+    case OptionKind::kIntegers:
+      return "=LIST";
+  }
+  return "";
+}
+
+std::string HelpEntry(const OptionInfo& option) {
+  std::string text = option.help;
+  if (!option.unit.empty()) text += fmt::format(" [{}]", option.unit);
+  if (!option.words.empty()) text += "; one of " + Join(option.words);
+  if (!option.default_text.empty() && option.default_text != "false") {
+    text += "; default " + option.default_text;
+  }
+  return Wrapped("  --" + option.name + ValueName(option) + " ", text);
+}
+
+/// A boolean's value as people write it.
+std::string Boolean(const std::string& text) {
+  if (Contains({"1", "t", "yes", "y"}, text)) return "true";
+  if (Contains({"0", "f", "no", "n"}, text)) return "false";
+  return text;
+}
+
+}  // namespace
+
+/// A flag as written.
+struct CommandLine::Argument {
+  std::string name, value;
+  bool has_value = false;
+
+  explicit Argument(const std::string& text) {
+    const std::string body = text.substr(text.starts_with("--") ? 2 : 1);
+    const std::size_t equals = body.find('=');
+    name = body.substr(0, equals);
+    has_value = equals != std::string::npos;
+    if (has_value) value = body.substr(equals + 1);
+  }
+};
+
+const CommandLine::Flag* CommandLine::Find(Argument* argument) const {
+  const auto called = [&](const std::string& name) -> const Flag* {
+    for (const Flag& flag : flags_) {
+      if (flag.info.name == name || Contains(flag.info.former, name)) return &flag;
+    }
+    return nullptr;
+  };
+  if (const Flag* flag = called(argument->name)) return flag;
+  if (argument->has_value || !argument->name.starts_with("no")) return nullptr;
+  const Flag* flag = called(argument->name.substr(2));
+  if (!flag || flag->info.kind != OptionKind::kBoolean) return nullptr;
+  argument->name = argument->name.substr(2);
+  argument->value = "false";
+  argument->has_value = true;
+  return flag;
+}
+
+Status CommandLine::Set(Argument argument, const std::string* next, bool* took_next) {
+  const Flag* flag = Find(&argument);
+  if (!flag) return Status::InvalidInput(UnknownName("flag", argument.name, Names()));
+  const OptionInfo& info = flag->info;
+  if (argument.name != info.name && noted_.insert(argument.name).second) {
+    fmt::print(stderr, "note: --{} is called --{} now\n", argument.name, info.name);
+  }
+  if (!argument.has_value && info.kind == OptionKind::kBoolean) {
+    argument.value = "true";
+  } else if (!argument.has_value && flag->value_optional) {
+    argument.value = "-";
+  } else if (!argument.has_value) {
+    if (!next) return Status::InvalidInput("--" + info.name + " needs a value");
+    argument.value = *next;
+    *took_next = true;
+  }
+  given_.insert(info.name);
+  return flag->set(info.kind == OptionKind::kBoolean ? Boolean(argument.value) : argument.value);
+}
+
+StatusOr<std::vector<std::string>> CommandLine::Parse(const std::vector<std::string>& arguments) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& text = arguments[i];
+    if (text == "--") {
+      others.insert(others.end(), arguments.begin() + i + 1, arguments.end());
+      break;
+    }
+    if (text.size() < 2 || text[0] != '-') {
+      others.push_back(text);
+      continue;
+    }
+    bool took_next = false;
+    const std::string* next = i + 1 < arguments.size() ? &arguments[i + 1] : nullptr;
+    if (Status s = Set(Argument(text), next, &took_next); !s.ok()) return s;
+    i += took_next ? 1 : 0;
+  }
+  return others;
+}
+
+std::string CommandLine::Help() const {
+  std::vector<std::string> groups;
+  for (const Flag& flag : flags_) {
+    if (!Contains(groups, flag.info.group)) groups.push_back(flag.info.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    if (!group.empty()) text += (text.empty() ? "" : "\n") + group + ":\n";
+    for (const Flag& flag : flags_) {
+      if (flag.info.group == group) text += HelpEntry(flag.info);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> CommandLine::Names() const {
+  std::vector<std::string> names;
+  for (const Flag& flag : flags_) names.push_back(flag.info.name);
+  return names;
+}
+
+namespace {
+
+Status SetGflag(const std::string& name, const std::string& type, const std::string& text) {
+  if (!gflags::SetCommandLineOption(name.c_str(), text.c_str()).empty()) return Status();
+  return Status::InvalidInput(
+      fmt::format("--{} expects a value of type {}, not '{}'", name, type, text));
+}
+
+OptionInfo InfoOf(const gflags::CommandLineFlagInfo& flag) {
+  OptionInfo info;
+  info.name = flag.name;
+  info.help = flag.description;
+  info.default_text = flag.default_value;
+  if (flag.type == "bool") info.kind = OptionKind::kBoolean;
+  if (flag.type == "int32") info.kind = OptionKind::kInteger;
+  if (flag.type == "double") {
+    info.kind = OptionKind::kNumber;
+    info.default_text = fmt::format("{:g}", std::stod(flag.default_value));
+  }
+  return info;
+}
+
+CommandLine GflagsOf(const std::string& source, bool with_help,
+                     const std::vector<std::string>& value_optional = {},
+                     const std::map<std::string, std::string>& former = {}) {
+  std::vector<gflags::CommandLineFlagInfo> all;
+  gflags::GetAllFlags(&all);
+  CommandLine flags;
+  for (const gflags::CommandLineFlagInfo& flag : all) {
+    const bool is_own = flag.filename.find(source) != std::string::npos;
+    if (!is_own && !(with_help && flag.name == "help")) continue;
+    OptionInfo info = InfoOf(flag);
+    for (const auto& [once, now] : former) {
+      if (now == flag.name) info.former.push_back(once);
+    }
+    const auto set = [name = flag.name, type = flag.type](const std::string& text) {
+      return SetGflag(name, type, text);
+    };
+    flags.Add({info, set, Contains(value_optional, flag.name)});
+  }
+  return flags;
 }
 
 }  // namespace
@@ -81,45 +215,9 @@ bool Contains(const std::vector<std::string>& words, const std::string& word) {
 StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
                                               const std::vector<std::string>& value_optional,
                                               const std::map<std::string, std::string>& former) {
-  std::vector<std::string> others;
-  for (int i = 1; i < argc; ++i) {
-    const std::string text = argv[i];
-    if (text == "--") {
-      others.insert(others.end(), argv + i + 1, argv + argc);
-      break;
-    }
-    if (text.size() < 2 || text[0] != '-') {
-      others.push_back(text);
-      continue;
-    }
-    Argument argument = Split(text);
-    UseNewName(former, &argument);
-    gflags::CommandLineFlagInfo info;
-    if (!FindFlag(&argument, &info) || !Contains(NamesOf(source), argument.name)) {
-      return Status::InvalidInput(UnknownName("flag", argument.name, NamesOf(source)));
-    }
-    if (!argument.has_value && Contains(value_optional, argument.name)) {
-      argument.value = "-";
-    } else if (!argument.has_value) {
-      if (i + 1 == argc) return Status::InvalidInput("--" + argument.name + " needs a value");
-      argument.value = argv[++i];
-    }
-    if (Status s = SetFlag(argument, info.type); !s.ok()) return s;
-  }
-  return others;
+  return GflagsOf(source, true, value_optional, former).Parse({argv + 1, argv + argc});
 }
 
-std::string FlagHelp(const std::string& source) {
-  std::string text;
-  for (const gflags::CommandLineFlagInfo& flag : FlagsOf(source)) {
-    const std::string value = flag.type == "bool" ? "" : "=" + flag.type;
-    const bool worth_saying = !flag.default_value.empty() && flag.type != "bool";
-    std::string fallback = worth_saying ? "; default " + flag.default_value : "";
-    if (flag.type == "double")
-      fallback = fmt::format("; default {:g}", std::stod(flag.default_value));
-    text += fmt::format("  {:<28} {}{}\n", "--" + flag.name + value, flag.description, fallback);
-  }
-  return text;
-}
+std::string FlagHelp(const std::string& source) { return GflagsOf(source, false).Help(); }
 
 }  // namespace cirque

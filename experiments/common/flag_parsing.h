@@ -1,26 +1,76 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "cirque/core/option_table.h"
 #include "cirque/core/status.h"
 
 namespace cirque {
 
-/// Sets the gflags defined in a program's own sources from its command line and returns the other
-/// arguments. gflags itself would end the process with status 1 on the first mistake; here a
-/// misspelt name or a wrong value is a status that says what was meant, and `--help` is the flag
-/// help of gflags, left to the program.
-/// `source` is a part of the paths of the program's sources, "experiments/run_experiment/".
-/// A flag named in `value_optional` is "-" when it is given without "=VALUE". `former` has the names
-/// that flags had once and have now: the old ones go on working, with a word on stderr.
+/// The flags of a program: options of tables, bound to the structs that they set.
+///
+/// As written: --name=value, --name value, --name and --noname of a boolean, each also with one
+/// dash; "--" ends them. A misspelt name or a wrong value is a status that says what was meant.
+/// Former names go on working, with a word on stderr.
+class CommandLine {
+ public:
+  struct Flag {
+    OptionInfo info;  ///< its name without dashes
+    std::function<Status(const std::string& text)> set;
+    bool value_optional = false;  ///< whether it is "-" when it is given without "=VALUE"
+  };
+
+  /// A flag for each option of the table, which sets it in `target`.
+  template <class T>
+  void Add(const OptionTable<T>& table, T* target) {
+    for (const Option<T>& option : table.options()) {
+      OptionInfo as_flag = option.info();
+      as_flag.name = "--" + as_flag.name;
+      Add({option.info(), [option, as_flag, target](const std::string& text) {
+             const StatusOr<OptionValue> value = ParseValue(as_flag, text);
+             return value.ok() ? option.Set(text, target) : value.status();
+           }});
+    }
+  }
+
+  void Add(Flag flag) { flags_.push_back(std::move(flag)); }
+
+  /// Sets what the arguments name; returns the others.
+  StatusOr<std::vector<std::string>> Parse(const std::vector<std::string>& arguments);
+
+  /// Whether Parse has met this flag.
+  bool IsGiven(const std::string& name) const { return given_.contains(name); }
+
+  /// An entry for each flag, under the headings of their groups: name, help, values, default. Lines
+  /// have at most 100 columns.
+  std::string Help() const;
+
+  std::vector<std::string> Names() const;
+
+ private:
+  struct Argument;
+
+  const Flag* Find(Argument* argument) const;
+  Status Set(Argument argument, const std::string* next, bool* took_next);
+
+  std::vector<Flag> flags_;
+  std::set<std::string> given_, noted_;
+};
+
+/// The same for the gflags that a program defines in its own sources; `source` is a part of their
+/// paths, "experiments/run_experiment/". gflags itself would end the process with status 1 on the
+/// first mistake. `--help` is set and left to the program. `former`: names that flags had once, and
+/// have now.
 StatusOr<std::vector<std::string>> ParseFlags(
     int argc, char** argv, const std::string& source,
     const std::vector<std::string>& value_optional = {},
     const std::map<std::string, std::string>& former = {});
 
-/// One entry for each of the program's flags: name, help, default.
+/// One entry for each of the program's gflags: name, help, default.
 std::string FlagHelp(const std::string& source);
 
 }  // namespace cirque

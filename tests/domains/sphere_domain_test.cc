@@ -188,7 +188,7 @@ TEST(SphereDomain, TheSpheresOwnOptionsDistortLess) {
 TEST(SphereDomain, AProofNamesTheVertexThatWasRemoved) {
   const Surface kleetope = Kleetope(GeneratedSurface("sphere", 100));
   ParameterizeOptions on_input;
-  on_input.triangulation = "input";
+  on_input.triangulation = SolvedTriangulation::kInput;
   const InfeasibilityCertificate proof =
       MustFail(kleetope, RequestFor("sphere", {.pole = 5}, on_input), StatusCode::kInfeasible)
           .infeasibility;

@@ -77,7 +77,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
     job.input = Path("in.obj");
     job.output = Path("out.obj");
     job.options.angle_solver = method;
-    job.options.triangulation = "input";
+    job.options.triangulation = SolvedTriangulation::kInput;
     std::ostringstream report;
     EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);
     EXPECT_FALSE(std::filesystem::exists(Path("out.obj")));
@@ -119,7 +119,7 @@ TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
     CirclePatternsJob job;
     job.input = Path("in.obj");
     job.output = Path(domain + ".obj");
-    job.options.triangulation = "input";
+    job.options.triangulation = SolvedTriangulation::kInput;
     job.domain.name = domain;
     std::ostringstream report;
     const Status status = RunCirclePatterns(job, {}, report);
@@ -140,7 +140,7 @@ TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
 TEST_F(InfeasibleEndToEnd, AProofAboutADiskThatClaimsTooMuchIsRejected) {
   const PolygonSoup soup = InfeasibleDisk(true);
   ParameterizeOptions on_input;
-  on_input.triangulation = "input";
+  on_input.triangulation = SolvedTriangulation::kInput;
   const InfeasibilityCertificate good =
       MustFail(SurfaceOf(soup), RequestFor("disk", {}, on_input), StatusCode::kInfeasible)
           .infeasibility;

@@ -109,7 +109,7 @@ TEST_F(VerifySphereTest, DeterminantsAreExact) {
 TEST_F(VerifySphereTest, AProofWithoutAVertexIsCheckedAgainstTheRest) {
   const cirque::Surface kleetope = Kleetope(GeneratedSurface("sphere", 60));
   ParameterizeOptions on_input;
-  on_input.triangulation = "input";
+  on_input.triangulation = SolvedTriangulation::kInput;
   const Certificate certificate =
       MustFail(kleetope, RequestFor("sphere", {.pole = 2}, on_input), StatusCode::kInfeasible);
   const PolygonSoup soup = SoupOf(kleetope);

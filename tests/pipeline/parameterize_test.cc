@@ -78,7 +78,7 @@ TEST(Parameterize, ImageHasTheAreaOfTheSurface) {
 
 TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
   ParameterizeOptions raw;
-  raw.triangulation = "input";
+  raw.triangulation = SolvedTriangulation::kInput;
   const Parameterization map =
       Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)), StatusCode::kInfeasible, raw);
   EXPECT_TRUE(map.uv.value.empty());
@@ -90,7 +90,7 @@ TEST(Parameterize, KleetopeIsRefusedWithItsProofAndNoUv) {
 TEST(Parameterize, LeastSquaresLayoutIsTheSameMap) {
   const Surface surface = GeneratedSurface("blob", 800);
   ParameterizeOptions options;
-  options.layout = "least_squares";
+  options.layout = LayoutMethod::kLeastSquares;
   const Parameterization smooth = Flatten(surface, StatusCode::kOk, options);
   const Parameterization tree = Flatten(surface);
   EXPECT_LT(FitSimilarity(smooth.uv.value, tree.uv.value).max_error, 1e-7);
@@ -153,7 +153,7 @@ TEST(Parameterize, DelaunayFlipsBringAScrambledPatchBackToItsPlane) {
   // On its own connectivity the terrain is distorted by the margin; flips never make that worse.
   const Surface surface = GeneratedSurface("bumpy_terrain", 3000);
   ParameterizeOptions raw;
-  raw.triangulation = "input";
+  raw.triangulation = SolvedTriangulation::kInput;
   Parameterization on_input;
   ASSERT_TRUE(FreeBoundaryMap(surface, raw, {}, &on_input).ok());
   const Parameterization flipped = Flatten(surface);

@@ -19,7 +19,7 @@ namespace {
 
 ParameterizeOptions OnInput(const std::string& fit) {
   ParameterizeOptions options;
-  options.triangulation = "input";
+  options.triangulation = SolvedTriangulation::kInput;
   options.angle_objective = fit;
   return options;
 }
@@ -160,7 +160,7 @@ TEST(RepairCones, InfeasibleConesEndInAMapThatSaysSo) {
   ASSERT_TRUE(WriteFileAtomically(path, text).ok());
   ParameterizeOptions options;
   options.cones = "given:file=" + path;
-  options.triangulation = "input";
+  options.triangulation = SolvedTriangulation::kInput;
   Parameterization map;
   const Status status = Parameterize(surface, {options}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();

@@ -9,38 +9,28 @@
 #include "cirque/domains/registry.h"
 
 #include "experiments/run_experiment/config/matrix.h"
-#include "experiments/run_experiment/config/method_fields.h"
 #include "experiments/run_experiment/config/schema.h"
 
 namespace cirque {
 namespace {
 
-const MethodField& FindMethodField(const std::string& name) {
-  for (const MethodField& field : MethodFields()) {
-    if (field.name == name) return field;
-  }
-  LOG(FATAL) << "no field of ParameterizeOptions is named " << name;
-}
-
 /// "cones, layout": the keys of methods that this domain reads and others do not.
 std::string OwnKeys(const Domain& domain) {
   std::vector<std::string> keys;
-  for (const MethodField& field : MethodFields()) {
-    for (const std::string& read : domain.reads) {
-      if (read == field.name) keys.push_back(read);
-    }
+  for (const std::string& option : ParameterizeOptionTable().Names()) {
+    if (domain.Reads(option)) keys.push_back(option);
   }
   return keys.empty() ? "none of its like" : Join(keys);
 }
 
 void CheckDomain(const YAML::Node& entry, const std::string& name, Diagnostics* problems) {
   const Domain domain = *Domains().Find(name);
-  for (const MethodField& field : MethodFields()) {
-    const YAML::Node value = entry[field.name];
-    if (!value || domain.Reads(field.name) || !IsReadBySomeDomain(field.name)) continue;
+  for (const std::string& option : ParameterizeOptionTable().Names()) {
+    const YAML::Node value = entry[option];
+    if (!value || domain.Reads(option) || !IsReadBySomeDomain(option)) continue;
     problems->Add(PlaceOf(value), fmt::format("'{}' has no meaning with domain '{}', which takes "
                                               "{}; give that domain an entry of its own",
-                                              field.name, name, OwnKeys(domain)));
+                                              option, name, OwnKeys(domain)));
   }
 }
 
@@ -50,7 +40,8 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
     if (key == "domain") {
       method.domain = value;
     } else {
-      SetField(FindMethodField(key), value, &method.options);
+      const Status status = ParameterizeOptionTable().Set({{key, value}}, &method.options);
+      CHECK(status.ok()) << status.message();  // the schema has let it pass
     }
     if (varies) method.name += fmt::format(",{}={}", key, value);
   }
@@ -76,6 +67,8 @@ std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problem
     }
     for (const Combination& combination : Combine(axes)) {
       methods.push_back(MakeMethod(name.Scalar(), combination));
+      const Status status = CheckOptions(methods.back().options);
+      if (!status.ok()) problems->Add(PlaceOf(entry), status.message());
     }
   }
   return methods;

@@ -10,7 +10,8 @@
 namespace cirque {
 
 /// The methods of a config, which the schema has let pass, their lists of values expanded.
-/// Reported: two equal names, and a key that has no meaning for a domain of the entry.
+/// Reported: two equal names, a key that has no meaning for a domain of the entry, and options that do
+/// not go together.
 std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problems);
 
 }  // namespace cirque

@@ -5,8 +5,7 @@
 #include <glog/logging.h>
 
 #include "cirque/metrics/measure_map.h"
-
-#include "experiments/run_experiment/config/method_fields.h"
+#include "cirque/pipeline/options.h"
 
 namespace cirque {
 namespace {
@@ -62,9 +61,9 @@ std::vector<Quantity> MakeQuantities() {
   for (const std::string& figure : FigureNames()) {
     table.push_back({figure, "/values/" + figure, Spaced(figure)});
   }
-  for (const MethodField& field : MethodFields()) {
-    if (!std::holds_alternative<std::string ParameterizeOptions::*>(field.member)) {
-      table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
+  for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
+    if (IsNumeric(option.kind)) {
+      table.push_back({option.name, "/method/" + option.name, Spaced(option.name)});
     }
   }
   return table;
@@ -76,8 +75,8 @@ std::vector<Quantity> MakeGroups() {
                                  {"method", "/method/name", "method"},
                                  {"domain", "/method/domain", "domain"},
                                  {"overlap", "/overlap", "overlap"}};
-  for (const MethodField& field : MethodFields()) {
-    table.push_back({field.name, "/method/" + field.name, Spaced(field.name)});
+  for (const std::string& option : ParameterizeOptionTable().Names()) {
+    table.push_back({option, "/method/" + option, Spaced(option)});
   }
   return table;
 }

@@ -8,7 +8,6 @@
 #include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/config/cells.h"
-#include "experiments/run_experiment/config/method_fields.h"
 #include "experiments/run_experiment/config/quantities.h"
 
 namespace cirque {
@@ -17,30 +16,33 @@ namespace {
 constexpr double kMaxSeed = 4294967295.0;
 constexpr double kMaxSubdivisions = 12;  // 16 million times as many triangles
 
-FieldKind KindOf(const MethodField& field) {
-  constexpr FieldKind kKinds[] = {FieldKind::kText, FieldKind::kNumber, FieldKind::kInteger};
-  return kKinds[field.member.index()];
-}
-
-std::string DefaultOf(const MethodField& field) {
-  const nlohmann::json value = FieldValue(field, ParameterizeOptions());
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-SchemaField ForMethod(const MethodField& field) {
-  const bool is_text = KindOf(field) == FieldKind::kText;
-  SchemaField row{.path = "methods." + field.name,
-                  .kind = KindOf(field),
-                  .help = field.help,
-                  .default_text = DefaultOf(field),
-                  .matrix = true,
-                  .choices = field.choices,
-                  .former = field.former};
-  if (!is_text) {
-    row.minimum = field.minimum;
-    row.maximum = field.maximum;
+FieldKind KindOf(OptionKind kind) {
+  switch (kind) {
+    case OptionKind::kBoolean:
+      return FieldKind::kBoolean;
+    case OptionKind::kInteger:
+      return FieldKind::kInteger;
+    case OptionKind::kNumber:
+      return FieldKind::kNumber;
+    case OptionKind::kText:
+    case OptionKind::kIntegers:
+      return FieldKind::kText;
   }
-  return row;
+  return FieldKind::kText;
+}
+
+SchemaField ForMethod(const OptionInfo& option) {
+  const std::string unit = option.unit.empty() ? "" : fmt::format(" [{}]", option.unit);
+  return {.path = "methods." + option.name,
+          .kind = KindOf(option.kind),
+          .help = option.help + unit,
+          .default_text = option.default_text,
+          .matrix = true,
+          .minimum = option.bounds.lower,
+          .maximum = option.bounds.upper,
+          .choices = option.words,
+          .check = option.check,
+          .former = option.former};
 }
 
 /// The entries of `meshes`.
@@ -108,7 +110,9 @@ Schema MethodSchema() {
                     .default_text = MethodSpec().domain,
                     .matrix = true,
                     .choices = Domains().Names()}};
-  for (const MethodField& field : MethodFields()) schema.push_back(ForMethod(field));
+  for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
+    schema.push_back(ForMethod(option));
+  }
   return schema;
 }
 
@@ -166,8 +170,8 @@ Schema RunFields() {
 
 std::map<std::string, std::string> FormerGroups() {
   std::map<std::string, std::string> former;
-  for (const MethodField& field : MethodFields()) {
-    for (const std::string& name : field.former) former[name] = field.name;
+  for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
+    for (const std::string& name : option.former) former[name] = option.name;
   }
   return former;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cirque/core/option.h"
+
 namespace cirque {
 
 enum class FieldKind { kText, kInteger, kNumber, kBoolean, kSections };
@@ -21,8 +23,9 @@ struct SchemaField {
   bool list = false;    ///< a list of values is one value
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  std::vector<std::string> choices = {};                   ///< the texts allowed; empty: any
-  std::vector<std::string> former = {};                    ///< names that the key had once
+  std::vector<std::string> choices = {};  ///< the texts allowed; empty: any
+  OptionInfo::Check check = {};           ///< of a text, further than `choices`; empty: none
+  std::vector<std::string> former = {};   ///< names that the key had once
   std::map<std::string, std::string> former_choices = {};  ///< texts allowed once, as they are now
   std::string one_of = {};  ///< an entry has exactly one of the keys that name the same group
   std::vector<std::string> beside = {};  ///< may only stand beside one of these keys

@@ -182,6 +182,9 @@ void Validator::CheckScalar(const YAML::Node& value, const SchemaField& field) {
   } else if (!IsAllowed(text, field)) {
     problems_.Add(PlaceOf(value),
                   fmt::format("'{}' must be {}, not '{}'", field.Key(), Expectation(field), text));
+  } else if (field.check && text != field.default_text) {
+    const Status status = field.check(text);
+    if (!status.ok()) problems_.Add(PlaceOf(value), status.In(field.Key()).message());
   }
 }
 

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-
-#include "experiments/run_experiment/config/method_fields.h"
+#include "cirque/pipeline/options.h"
 
 namespace cirque {
 namespace {
@@ -24,8 +23,8 @@ std::vector<Column> FixedColumns() {
       {"method", "/method/name", "method", ""},
       {"domain", "/method/domain", "", ""},
   };
-  for (const MethodField& field : MethodFields()) {
-    columns.push_back({field.name, "/method/" + field.name, "", ""});
+  for (const std::string& option : ParameterizeOptionTable().Names()) {
+    columns.push_back({option, "/method/" + option, "", ""});
   }
   const std::vector<Column> rest = {
       {"repeat", "/repeat", "", ""},

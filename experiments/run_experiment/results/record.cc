@@ -6,7 +6,6 @@
 #include "cirque/core/status.h"
 
 #include "experiments/run_experiment/config/content_hash.h"
-#include "experiments/run_experiment/config/method_fields.h"
 
 namespace cirque {
 namespace {
@@ -48,8 +47,9 @@ bool IsRaised(const Record& record, const char* name, double limit) {
 
 nlohmann::json MethodJson(const MethodSpec& method) {
   nlohmann::json json = {{"name", method.name}, {"domain", method.domain}};
-  for (const MethodField& field : MethodFields()) {
-    json[field.name] = FieldValue(field, method.options);
+  for (const auto& option : ParameterizeOptionTable().options()) {
+    json[option.info().name] = std::visit([](const auto& value) { return nlohmann::json(value); },
+                                          option.Get(method.options));
   }
   return json;
 }

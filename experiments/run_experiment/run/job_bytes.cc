@@ -1,6 +1,6 @@
 #include <exception>
+#include <stdexcept>
 
-#include "experiments/run_experiment/config/method_fields.h"
 #include "experiments/run_experiment/run/job.h"
 
 namespace cirque {
@@ -28,9 +28,11 @@ MeshSpec MeshFromJson(const nlohmann::json& json) {
 
 MethodSpec MethodFromJson(const nlohmann::json& json) {
   MethodSpec method{json.at("name"), {}, json.at("domain")};
-  for (const MethodField& field : MethodFields()) {
-    const nlohmann::json& value = json.at(field.name);
-    SetField(field, value.is_string() ? value.get<std::string>() : value.dump(), &method.options);
+  for (const auto& option : ParameterizeOptionTable().options()) {
+    const nlohmann::json& value = json.at(option.info().name);
+    const Status status =
+        option.Set(value.is_string() ? value.get<std::string>() : value.dump(), &method.options);
+    if (!status.ok()) throw std::invalid_argument(status.message());
   }
   return method;
 }

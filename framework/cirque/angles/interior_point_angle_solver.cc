@@ -9,10 +9,9 @@
 
 #include "cirque/angles/angle_program.h"
 #include "cirque/angles/infeasibility.h"
-#include "cirque/core/timer.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/energy/quadratic_and_entropy_objectives.h"
 #include "cirque/linear/registry.h"
-#include "cirque/core/solve_summary.h"
 
 namespace cirque {
 namespace {

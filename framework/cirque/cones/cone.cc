@@ -156,13 +156,15 @@ StatusOr<ConeAngleOptions> ParseConeAngles(const std::string& text) {
   StatusOr<NameWithOptions> parsed = ParseNameWithOptions(text);
   if (!parsed.ok()) return parsed.status();
   if (parsed->name != "ranges" && parsed->options.contains("width")) {
-    return Status::InvalidInput("cone_angles: a width belongs to ranges, not to " + parsed->name);
+    return Status::InvalidInput("a width belongs to ranges, not to " + parsed->name);
   }
   parsed->options["angles"] = parsed->name;
   ConeAngleOptions options;
   if (Status s = AngleOptionTable().Set(parsed->options, &options); !s.ok()) return s;
   return options;
 }
+
+Status CheckConeAngles(const std::string& text) { return ParseConeAngles(text).status(); }
 
 StatusOr<std::vector<Cone>> ApplyConeAngles(const ConeProblem& problem, std::vector<Cone> cones,
                                             const ConeAngleOptions& options) {

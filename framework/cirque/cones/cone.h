@@ -44,6 +44,9 @@ std::vector<std::string> ConeAngleWords();
 /// The options from "WORD" or "ranges:width=RADIANS".
 StatusOr<ConeAngleOptions> ParseConeAngles(const std::string& text);
 
+/// Whether the text is that.
+Status CheckConeAngles(const std::string& text);
+
 /// Applies them to fixed cones at candidates; ranged cones and prescribed boundary vertices stay as
 /// they are. Rounded curvatures are the admissible multiples nearest to the proposed ones that add
 /// up to 2 pi chi on a closed surface (a cone whose multiple is 0 is none and is dropped); ranges

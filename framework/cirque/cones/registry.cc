@@ -6,6 +6,7 @@
 #include "cirque/cones/greedy_cones.h"
 #include "cirque/cones/moving_cones.h"
 #include "cirque/cones/sparse_cones.h"
+#include "cirque/core/name_with_options.h"
 #include "cirque/io/cone_file.h"
 
 namespace cirque {
@@ -80,5 +81,14 @@ Made MakeConeHeuristic(const std::string& name, const OptionMap& options,
   if (!factory.ok()) return factory.status();
   return (*factory)(options);
 }
+
+Made ParseConeHeuristic(const std::string& text, int budget) {
+  StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  if (!named.ok()) return named.status();
+  if (budget >= 0) named->options["cones"] = std::to_string(budget);
+  return MakeConeHeuristic(named->name, named->options);
+}
+
+Status CheckConeHeuristic(const std::string& text) { return ParseConeHeuristic(text).status(); }
 
 }  // namespace cirque

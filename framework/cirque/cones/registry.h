@@ -27,6 +27,14 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MakeConeHeuristic(
     const std::string& name, const OptionMap& options = {},
     const Registry<ConeHeuristicFactory>& heuristics = ConeHeuristics());
 
+/// The heuristic that a text means, "greedy:target=0.1", with `budget` as its option `cones` unless
+/// that is -1. Errors (invalid input) as above, and a text that is no name with options.
+StatusOr<std::shared_ptr<const ConeHeuristic>> ParseConeHeuristic(const std::string& text,
+                                                                  int budget = -1);
+
+/// Whether the text is one, without placing anything.
+Status CheckConeHeuristic(const std::string& text);
+
 /// A factory whose heuristic H is constructed from its options struct O, read through `table`.
 template <class H, class O>
 ConeHeuristicFactory HeuristicFactory(const OptionTable<O>& table) {

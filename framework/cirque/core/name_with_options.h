@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cirque/core/option_table.h"
+#include "cirque/core/option.h"
 #include "cirque/core/status.h"
 
 namespace cirque {

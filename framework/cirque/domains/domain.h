@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "cirque/core/option_table.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/mesh/surface.h"
@@ -33,6 +34,12 @@ struct DomainOptions {
   /// pole; false: to the surface's own, which distorts more (for comparisons).
   bool inversion = true;
 };
+
+/// The unit of options that are vertices.
+inline constexpr char kVertexUnit[] = "vertex";
+
+/// The table of its fields.
+const OptionTable<DomainOptions>& DomainOptionTable();
 
 /// What is to be mapped onto what, and how.
 struct MapRequest : ParameterizeRequest {

@@ -86,7 +86,8 @@ class ChartSolve {
       if (Status s = Solve(options_, locked); !s.ok()) return s;
       std::vector<Index> flipped = flips_(chart_);
       *clean = flipped.empty();
-      const bool locking_helps = options_.triangulation != "input" && chart_.increasing;
+      const bool locking_helps =
+          options_.triangulation != SolvedTriangulation::kInput && chart_.increasing;
       return locking_helps ? std::move(flipped) : std::vector<Index>();
     };
     const auto flipped = SolveLockingFlipped(
@@ -100,7 +101,7 @@ class ChartSolve {
   /// The last resort; the chart stays what it was where that is no better.
   Status SolveOnInput(bool* clean) {
     ParameterizeOptions raw = options_;
-    raw.triangulation = "input";
+    raw.triangulation = SolvedTriangulation::kInput;
     HalfPlaneChart before = chart_;
     const Status status = Solve(raw, {});
     if (status.ok()) *clean = flips_(chart_).empty();

@@ -27,6 +27,8 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
     if (!given || domain.Reads(option)) continue;
     return Status::InvalidInput(fmt::format("the domain {} takes no {}", request.domain, option));
   }
+  if (Status s = ParameterizeOptionTable().Validate(request.options); !s.ok()) return s;
+  if (Status s = DomainOptionTable().Validate(request.shape); !s.ok()) return s;
   std::vector<Index> vertices = request.shape.corners;
   for (const Index v : {request.shape.centre, request.shape.angle_zero, request.shape.pole}) {
     if (v != kNone) vertices.push_back(v);

@@ -1,7 +1,6 @@
 #include "cirque/domains/sphere_domain.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,16 +22,10 @@ constexpr char kDefaultNormalization[] = "surface_area";
 constexpr Index kMaxPoles = 4;
 constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles goes with epsilon
 
-Status CheckNames(const DomainOptions& options, const ParameterizeOptions& in_plane) {
-  const std::tuple<const char*, std::string, std::vector<std::string>> choices[] = {
-      {"normalization", options.normalization, SphereNormalizations()},
-      {"triangulation", in_plane.triangulation, {"delaunay", "input"}},
-      {"layout", in_plane.layout, {"directions", "least_squares"}}};
-  for (const auto& [kind, name, known] : choices) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    return Status::InvalidInput(UnknownName(kind, name, known));
-  }
-  return Status();
+Status CheckNormalization(const std::string& name) {
+  const std::vector<std::string>& known = SphereNormalizations();
+  if (std::find(known.begin(), known.end(), name) != known.end()) return Status();
+  return Status::InvalidInput(UnknownName("normalization", name, known));
 }
 
 Status CheckSurface(const Surface& surface) {
@@ -61,10 +54,11 @@ ConeTargets ConvexLinkTargets(const Triangulation& t, double margin) {
   return targets;
 }
 
-StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& disk,
+StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& disk,
                                 const InputChart& flat) {
   const Cut no_cut = {std::vector<bool>(disk.num_edges(), false)};
-  if (method == "directions") return LayOutPatches(disk, flat.angles, flat.lengths, no_cut);
+  if (method == LayoutMethod::kDirections)
+    return LayOutPatches(disk, flat.angles, flat.lengths, no_cut);
   return LayOutByLeastSquares(disk, flat.angles, flat.lengths, no_cut);
 }
 
@@ -90,8 +84,9 @@ class SphereMapping {
         in_plane_(parameterize_options),
         control_(control),
         map_(*map) {
-    in_plane_.triangulation = "input";  // flips are made here, on the closed surface
-    flips_ = parameterize_options.triangulation != "input";
+    in_plane_.triangulation =
+        SolvedTriangulation::kInput;  // flips are made here, on the closed surface
+    flips_ = parameterize_options.triangulation != SolvedTriangulation::kInput;
   }
 
   Status Run() {
@@ -266,7 +261,7 @@ Status MapToSphere(const Surface& surface, const MapRequest& request, const Solv
                    SurfaceMap* map) {
   DomainOptions options = request.shape;
   if (options.normalization.empty()) options.normalization = kDefaultNormalization;
-  if (Status s = CheckNames(options, request.options); !s.ok()) return s;
+  if (Status s = CheckNormalization(options.normalization); !s.ok()) return s;
   if (Status s = CheckSurface(surface); !s.ok()) return s;
   Status status = SphereMapping(surface, options, request.options, control, map).Run();
   if (!status.ok()) return status;

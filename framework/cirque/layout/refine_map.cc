@@ -150,8 +150,9 @@ void WritePositions(const Triangulation& open, const Eigen::VectorXcd& z, Corner
 const OptionTable<RefineMapOptions>& RefineMapOptionTable() {
   using O = RefineMapOptions;
   static const OptionTable<O> kTable(
-      "refine_map", {{"steps", &O::steps, 1, 1e6, {}, "the most steps"},
-                     {"decrease", &O::decrease, 0, 1, {}, "share of the objective to go on for"}});
+      "refine_map",
+      {Option<O>("steps", &O::steps, "the most steps").Between(1, 1e6),
+       Option<O>("decrease", &O::decrease, "share of the objective to go on for").Between(0, 1)});
   return kTable;
 }
 

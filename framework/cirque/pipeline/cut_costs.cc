@@ -35,29 +35,31 @@ Eigen::VectorXd EdgeCurvature(const Triangulation& t, const EdgeLengths& lengths
   return of_edge;
 }
 
-StatusOr<Eigen::VectorXd> CostsByWord(const Triangulation& t, const EdgeLengths& lengths,
-                                      const EdgeLengths& flat, const std::string& word) {
-  if (word == "flat_length") return flat.value;
-  if (word == "length") return lengths.value;
-  if (word == "distortion") return Preferring(LogStretch(lengths, flat), lengths);
-  if (word == "curvature") return Preferring(EdgeCurvature(t, lengths), lengths);
-  return Status::InvalidInput(UnknownName("cut_cost", word, CutCostWords()));
+Eigen::VectorXd CostsBy(const Triangulation& t, const EdgeLengths& lengths, const EdgeLengths& flat,
+                        CutCost cost) {
+  switch (cost) {
+    case CutCost::kFlatLength:
+      return flat.value;
+    case CutCost::kLength:
+      return lengths.value;
+    case CutCost::kDistortion:
+      return Preferring(LogStretch(lengths, flat), lengths);
+    case CutCost::kCurvature:
+      return Preferring(EdgeCurvature(t, lengths), lengths);
+  }
+  return flat.value;
 }
 
 }  // namespace
 
-std::vector<std::string> CutCostWords() {
-  return {"flat_length", "length", "distortion", "curvature"};
-}
-
 StatusOr<Eigen::VectorXd> CutCosts(const Triangulation& t, const EdgeLengths& lengths,
                                    const EdgeLengths& flat, const ParameterizeOptions& options,
                                    const std::vector<Index>& vertex_in_file) {
-  StatusOr<Eigen::VectorXd> costs = CostsByWord(t, lengths, flat, options.cut_cost);
-  if (!costs.ok() || options.edge_costs.empty()) return costs;
+  const Eigen::VectorXd costs = CostsBy(t, lengths, flat, options.cut_cost);
+  if (options.edge_costs.empty()) return costs;
   const auto factors = ReadEdgeCostFile(options.edge_costs, t, vertex_in_file);
   if (!factors.ok()) return factors.status();
-  return Eigen::VectorXd(costs->cwiseProduct(*factors));
+  return Eigen::VectorXd(costs.cwiseProduct(*factors));
 }
 
 double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths, const Cut& cut) {

@@ -68,11 +68,7 @@ class Flattening {
 
   Status Run(std::vector<bool> locked) {
     if (Status s = CheckTargets(input_, targets_, &certificate_.infeasibility); !s.ok()) return s;
-    if (options_.triangulation == "input") return SolveOnInput();
-    if (options_.triangulation != "delaunay") {
-      return Status::InvalidInput(
-          UnknownName("triangulation", options_.triangulation, {"delaunay", "input"}));
-    }
+    if (options_.triangulation == SolvedTriangulation::kInput) return SolveOnInput();
     locked.resize(input_.num_edges(), false);
     certificate_.values["delaunay_rounds"] = 0;
     const auto flipped = SolveLockingFlipped(

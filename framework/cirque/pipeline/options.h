@@ -1,17 +1,57 @@
 #pragma once
 
+#include <array>
 #include <string>
+
+#include "cirque/core/enum_words.h"
+#include "cirque/core/option_table.h"
+#include "cirque/core/status.h"
 
 namespace cirque {
 
-/// How to parameterize. Every field has a flag of circle_patterns and a key of an experiment config
-/// by its name.
+/// What the angles and radii are solved on: the surface's metric after intrinsic Delaunay flips, or
+/// the input's connectivity.
+enum class SolvedTriangulation { kDelaunay, kInput };
+
+template <>
+inline constexpr auto kEnumWords<SolvedTriangulation> =
+    std::to_array<EnumWord<SolvedTriangulation>>({{SolvedTriangulation::kDelaunay, "delaunay"},
+                                                  {SolvedTriangulation::kInput, "input"}});
+
+/// How flat triangles are placed: one after the other by their edges' directions, or all at once
+/// by least squares (Poisson).
+enum class LayoutMethod { kDirections, kLeastSquares };
+
+template <>
+inline constexpr auto kEnumWords<LayoutMethod> = std::to_array<EnumWord<LayoutMethod>>(
+    {{LayoutMethod::kDirections, "directions"}, {LayoutMethod::kLeastSquares, "least_squares"}});
+
+/// kRigid: the two sides of a cut stay congruent, the metric is flat but for the cones. kFree: cones
+/// only choose the cut, and the surface opened along it gets a free boundary.
+enum class SeamKind { kRigid, kFree };
+
+template <>
+inline constexpr auto kEnumWords<SeamKind> =
+    std::to_array<EnumWord<SeamKind>>({{SeamKind::kRigid, "rigid"}, {SeamKind::kFree, "free"}});
+
+/// What a cut shall be short in (CutCosts).
+enum class CutCost { kFlatLength, kLength, kDistortion, kCurvature };
+
+template <>
+inline constexpr auto kEnumWords<CutCost> =
+    std::to_array<EnumWord<CutCost>>({{CutCost::kFlatLength, "flat_length"},
+                                      {CutCost::kLength, "length"},
+                                      {CutCost::kDistortion, "distortion"},
+                                      {CutCost::kCurvature, "curvature"}});
+
+/// How to parameterize. ParameterizeOptionTable() has a line for every field, by which it is a flag
+/// of circle_patterns and a key of an experiment config.
 struct ParameterizeOptions {
-  std::string triangulation = "delaunay";  ///< "delaunay": intrinsic Delaunay flips; "input": none
+  SolvedTriangulation triangulation = SolvedTriangulation::kDelaunay;
   std::string angle_objective = "quadratic";  ///< a name of AngleObjectives()
   std::string angle_solver = "auto";          ///< a name of AngleSolverNames()
   std::string radii_solver = "auto";          ///< a name of SolverStrategies(), for the log radii
-  std::string layout = "directions";          ///< or "least_squares" (Poisson)
+  LayoutMethod layout = LayoutMethod::kDirections;
   /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,
   /// which are no cones with a boundary. For targets that are not given otherwise.
   std::string cones;
@@ -21,14 +61,19 @@ struct ParameterizeOptions {
   /// A name of MapObjectives(), with options as in "mips:steps=5", by which the finished map is
   /// refined (RefineMap), or "none".
   std::string refine_map = "none";
-  /// "rigid": the two sides of a cut stay congruent, the metric is flat but for the cones. "free":
-  /// cones only choose the cut, and the surface opened along it gets a free boundary.
-  std::string seams = "rigid";
-  std::string cut_cost =
-      "flat_length";         ///< a word of CutCostWords(): what the cut shall be short in
+  SeamKind seams = SeamKind::kRigid;
+  CutCost cut_cost = CutCost::kFlatLength;
   std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve
 };
+
+/// The table of its fields: names, bounds, meaning, group.
+const OptionTable<ParameterizeOptions>& ParameterizeOptionTable();
+
+/// Whether a surface could be parameterized with these options, as far as can be said without one:
+/// every field may have its value, names with options of their own included, and those that depend
+/// on each other go together. Errors (invalid input): the message names field, value and bound.
+Status CheckOptions(const ParameterizeOptions& options);
 
 }  // namespace cirque

@@ -50,11 +50,10 @@ StatusOr<Cut> ChooseCut(const Job& job, const InputChart& flat, const std::vecto
   return CutGraph(job.t, *costs, cones);
 }
 
-StatusOr<PlanarLayout> LayOutBy(const std::string& method, const Triangulation& t,
-                                const InputChart& flat, const Cut& cut) {
-  if (method == "directions") return LayOutPatches(t, flat.angles, flat.lengths, cut);
-  if (method == "least_squares") return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
-  return Status::InvalidInput(UnknownName("layout", method, {"directions", "least_squares"}));
+StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& t, const InputChart& flat,
+                                const Cut& cut) {
+  if (method == LayoutMethod::kDirections) return LayOutPatches(t, flat.angles, flat.lengths, cut);
+  return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
 }
 
 Status Unrepresentable(const Certificate& certificate, const std::vector<Index>& flipped) {
@@ -161,7 +160,8 @@ Status FreeSeams(const Job& job, Parameterization* result) {
 }
 
 Status LayOutAndMeasure(const Job& job, Parameterization* result) {
-  Status status = job.options.seams == "free" ? FreeSeams(job, result) : LayOut(job, result);
+  Status status =
+      job.options.seams == SeamKind::kFree ? FreeSeams(job, result) : LayOut(job, result);
   if (!status.ok()) return status;
   const Timer measure_timer;
   PutMeasures(job.t, job.lengths, result);
@@ -180,16 +180,8 @@ Status Run(const Job& job, Parameterization* result) {
   return LayOutAndMeasure(job, result);
 }
 
-/// What would else be found wrong only after the solve.
-Status CheckOptions(const ParameterizeOptions& options) {
-  if (options.seams != "rigid" && options.seams != "free") {
-    return Status::InvalidInput(UnknownName("seams", options.seams, {"rigid", "free"}));
-  }
-  return CheckRefineMap(options.refine_map);
-}
-
 Status RunWithTargets(const Job& job, Parameterization* result) {
-  if (Status s = CheckOptions(job.options); !s.ok()) return s;
+  if (Status s = ParameterizeOptionTable().Validate(job.options); !s.ok()) return s;
   Status status = FlattenAsAsked(job, result);
   return status.ok() ? Run(job, result) : status;
 }

@@ -8,7 +8,6 @@
 #include "cirque/cones/cone.h"
 #include "cirque/cones/curvature_peaks.h"
 #include "cirque/cones/registry.h"
-#include "cirque/core/name_with_options.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 
 namespace cirque {
@@ -31,18 +30,10 @@ StatusOr<ConeTargets> MovedCones(const Triangulation& t, const EdgeLengths& leng
   return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
 }
 
-/// The heuristic named, the budget among its options.
-StatusOr<std::shared_ptr<const ConeHeuristic>> NamedHeuristic(const ParameterizeOptions& options) {
-  StatusOr<NameWithOptions> named = ParseNameWithOptions(options.cones);
-  if (!named.ok()) return named.status().In("cones");
-  if (options.cone_budget >= 0) named->options["cones"] = std::to_string(options.cone_budget);
-  return MakeConeHeuristic(named->name, named->options);
-}
-
 StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
                                         const ParameterizeOptions& options) {
   if (!options.cones.empty()) {
-    const auto heuristic = NamedHeuristic(options);
+    const auto heuristic = ParseConeHeuristic(options.cones, options.cone_budget);
     return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
   }
   if (options.cone_budget >= 0) {

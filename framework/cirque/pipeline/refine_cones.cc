@@ -50,7 +50,7 @@ class Refinement {
         problem_(start.intrinsic.triangulation, start.intrinsic.lengths, {&input, &lengths, {}}),
         targets_(TransferTargets(input, targets, start.intrinsic.triangulation)),
         current_(start) {
-    options_.triangulation = "input";  // which the intrinsic one is, now
+    options_.triangulation = SolvedTriangulation::kInput;  // which the intrinsic one is, now
     FindCones(start);
   }
 

@@ -10,7 +10,6 @@
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/compensated_sum.h"
-#include "cirque/radii/pattern_volume.h"
 
 namespace cirque {
 namespace {

@@ -33,7 +33,7 @@ bool UsesMultigrid(int num_unknowns) {
 }  // namespace
 
 const OptionTable<SolverLimits>& AutoOptionTable() {
-  static const OptionTable<SolverLimits> kTable("auto", LimitFields<SolverLimits>());
+  static const OptionTable<SolverLimits> kTable("auto", LimitOptions<SolverLimits>());
   return kTable;
 }
 

@@ -16,15 +16,6 @@ constexpr double kMostRank = 1000;
 constexpr double kLeastScaled = 1e-3;  ///< of the Hessian's mean diagonal entry
 constexpr int kMaxIdle = 100;          ///< gradients do not fall at every step of these methods
 
-const Registry<ceres::LineSearchDirectionType>& Directions() {
-  static const Registry<ceres::LineSearchDirectionType> kTable(
-      "direction", {{"lbfgs", ceres::LBFGS},
-                    {"nonlinear_conjugate_gradient", ceres::NONLINEAR_CONJUGATE_GRADIENT},
-                    {"bfgs", ceres::BFGS},
-                    {"steepest_descent", ceres::STEEPEST_DESCENT}});
-  return kTable;
-}
-
 /// The run's energy for a GradientProblem, which would delete the energy itself. Counts, and
 /// remembers the last gradient, which is often that of the iterate accepted next.
 class CountedEnergy final : public ceres::FirstOrderFunction {
@@ -71,9 +62,10 @@ class CountedEnergy final : public ceres::FirstOrderFunction {
 };
 
 /// One over the root of the Hessian's diagonal at x, bounded where that is small; or ones.
-Eigen::VectorXd Scale(const std::string& scaling, const Eigen::VectorXd& x, SolveRun* run) {
+Eigen::VectorXd Scale(ParameterScaling scaling, const Eigen::VectorXd& x, SolveRun* run) {
   SparseMatrix lower;
-  if (scaling == "none" || !run->Hessian(x, &lower)) return Eigen::VectorXd::Ones(x.size());
+  if (scaling == ParameterScaling::kNone || !run->Hessian(x, &lower))
+    return Eigen::VectorXd::Ones(x.size());
   const Eigen::VectorXd diagonal = lower.diagonal();
   const double least = kLeastScaled * diagonal.mean();
   if (!(least > 0)) return Eigen::VectorXd::Ones(x.size());
@@ -82,8 +74,8 @@ Eigen::VectorXd Scale(const std::string& scaling, const Eigen::VectorXd& x, Solv
 
 ceres::GradientProblemSolver::Options SolverOptions(const CeresLineSearchOptions& options) {
   ceres::GradientProblemSolver::Options result;
-  result.line_search_direction_type = *Directions().Find(options.direction);
-  result.line_search_type = options.line_search == "armijo" ? ceres::ARMIJO : ceres::WOLFE;
+  result.line_search_direction_type = options.direction;
+  result.line_search_type = options.line_search;
   result.nonlinear_conjugate_gradient_type = ceres::POLAK_RIBIERE;
   result.max_lbfgs_rank = options.max_lbfgs_rank;
   result.min_line_search_step_size = std::numeric_limits<double>::min();
@@ -120,35 +112,34 @@ void SolveInRounds(const CeresLineSearchOptions& options, const Eigen::VectorXd&
 
 const OptionTable<CeresLineSearchOptions>& CeresLineSearchOptionTable() {
   using O = CeresLineSearchOptions;
-  static const OptionTable<O> kTable("ceres_line_search", [] {
-    auto fields = LimitFields<O>();
-    const std::vector<OptionTable<O>::Field> own = {
-        {"direction", &O::direction, 0, 0, Directions().Names(), "how steps are chosen"},
-        {"line_search", &O::line_search, 0, 0, {"wolfe", "armijo"}, "which steps are accepted"},
-        {"scaling", &O::scaling, 0, 0, {"diagonal", "none"}, "of the parameters"},
-        {"max_lbfgs_rank", &O::max_lbfgs_rank, 1, kMostRank, {}, "steps that lbfgs remembers"}};
-    fields.insert(fields.end(), own.begin(), own.end());
-    return fields;
-  }());
+  static const OptionTable<O> kTable(
+      "ceres_line_search",
+      Joined<O>(LimitOptions<O>(),
+                {{"direction", &O::direction, "how steps are chosen"},
+                 {"line_search", &O::line_search, "which steps are accepted"},
+                 {"scaling", &O::scaling, "of the parameters"},
+                 Option<O>("max_lbfgs_rank", &O::max_lbfgs_rank, "steps that lbfgs remembers")
+                     .Between(1, kMostRank)}));
   return kTable;
 }
 
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeCeresLineSearch(const OptionMap& map) {
   CeresLineSearchOptions options;
   if (Status s = CeresLineSearchOptionTable().Set(map, &options); !s.ok()) return s;
-  if (options.line_search == "armijo" && options.direction.ends_with("bfgs")) {
+  if (options.line_search == ceres::ARMIJO &&
+      (options.direction == ceres::LBFGS || options.direction == ceres::BFGS)) {
     return Status::InvalidInput(
         fmt::format("ceres_line_search: line_search = 'armijo' does not go with direction = '{}'; "
                     "use wolfe",
-                    options.direction));
+                    ToWord(options.direction)));
   }
   return std::shared_ptr<const SolverStrategy>(std::make_shared<CeresLineSearchStrategy>(options));
 }
 
 SolveSummary CeresLineSearchStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                                Eigen::VectorXd* x) const {
-  SolveRun run("ceres_line_search " + options_.direction, options_, control, energy);
-  if (options_.direction == "bfgs" && x->size() > kMostBfgsParameters) {
+  SolveRun run("ceres_line_search " + ToWord(options_.direction), options_, control, energy);
+  if (options_.direction == ceres::BFGS && x->size() > kMostBfgsParameters) {
     run.End(Termination::kUnsupported,
             fmt::format("bfgs keeps a dense matrix: {} parameters > {}; use lbfgs", x->size(),
                         kMostBfgsParameters));

@@ -1,18 +1,39 @@
 #pragma once
 
-#include <string>
+#include <array>
+#include <ceres/types.h>
 
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
 
+template <>
+inline constexpr auto kEnumWords<ceres::LineSearchDirectionType> =
+    std::to_array<EnumWord<ceres::LineSearchDirectionType>>(
+        {{ceres::LBFGS, "lbfgs"},
+         {ceres::NONLINEAR_CONJUGATE_GRADIENT, "nonlinear_conjugate_gradient"},
+         {ceres::BFGS, "bfgs"},
+         {ceres::STEEPEST_DESCENT, "steepest_descent"}});
+
+template <>
+inline constexpr auto kEnumWords<ceres::LineSearchType> =
+    std::to_array<EnumWord<ceres::LineSearchType>>({{ceres::WOLFE, "wolfe"},
+                                                    {ceres::ARMIJO, "armijo"}});
+
+/// What the parameters are divided by: the root of the start's Hessian's diagonal, or 1.
+enum class ParameterScaling { kDiagonal, kNone };
+
+template <>
+inline constexpr auto kEnumWords<ParameterScaling> = std::to_array<EnumWord<ParameterScaling>>(
+    {{ParameterScaling::kDiagonal, "diagonal"}, {ParameterScaling::kNone, "none"}});
+
 struct CeresLineSearchOptions : SolverLimits {
   CeresLineSearchOptions() { max_iterations = 10000; }
 
-  std::string direction = "lbfgs";    ///< or nonlinear_conjugate_gradient, bfgs, steepest_descent
-  std::string line_search = "wolfe";  ///< or armijo, which lbfgs and bfgs do not take
-  std::string scaling = "diagonal";   ///< parameters by the start's Hessian; or none
-  int max_lbfgs_rank = 50;            ///< pairs of steps and gradients that lbfgs remembers
+  ceres::LineSearchDirectionType direction = ceres::LBFGS;
+  ceres::LineSearchType line_search = ceres::WOLFE;  ///< lbfgs and bfgs do not take armijo
+  ParameterScaling scaling = ParameterScaling::kDiagonal;
+  int max_lbfgs_rank = 50;  ///< pairs of steps and gradients that lbfgs remembers
 };
 
 const OptionTable<CeresLineSearchOptions>& CeresLineSearchOptionTable();
@@ -36,11 +57,25 @@ class CeresLineSearchStrategy final : public SolverStrategy {
   CeresLineSearchOptions options_;
 };
 
+template <>
+inline constexpr auto kEnumWords<ceres::TrustRegionStrategyType> =
+    std::to_array<EnumWord<ceres::TrustRegionStrategyType>>(
+        {{ceres::LEVENBERG_MARQUARDT, "levenberg_marquardt"}, {ceres::DOGLEG, "dogleg"}});
+
+/// What the trust region works on: the energy's own residual blocks, or its gradient as residuals
+/// (grad E = 0 by least squares).
+enum class TrustRegionResiduals { kExact, kGradient };
+
+template <>
+inline constexpr auto kEnumWords<TrustRegionResiduals> =
+    std::to_array<EnumWord<TrustRegionResiduals>>({{TrustRegionResiduals::kExact, "exact"},
+                                                   {TrustRegionResiduals::kGradient, "gradient"}});
+
 struct CeresTrustRegionOptions : SolverLimits {
-  std::string trust_region = "levenberg_marquardt";  ///< or dogleg
-  std::string residuals = "exact";  ///< the energy's own; or gradient: grad E = 0 by least squares
-  double initial_radius = 1e8;      ///< large: the first step is Gauss and Newton's
-  int num_threads = 1;              ///< for residuals and Jacobians
+  ceres::TrustRegionStrategyType trust_region = ceres::LEVENBERG_MARQUARDT;
+  TrustRegionResiduals residuals = TrustRegionResiduals::kExact;
+  double initial_radius = 1e8;  ///< large: the first step is Gauss and Newton's
+  int num_threads = 1;          ///< for residuals and Jacobians
 };
 
 const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable();

@@ -23,8 +23,7 @@ ceres::SparseLinearAlgebraLibraryType SparseLibrary() {
 ceres::Solver::Options SolverOptions(const CeresTrustRegionOptions& options) {
   ceres::Solver::Options result;
   result.minimizer_type = ceres::TRUST_REGION;
-  result.trust_region_strategy_type =
-      options.trust_region == "dogleg" ? ceres::DOGLEG : ceres::LEVENBERG_MARQUARDT;
+  result.trust_region_strategy_type = options.trust_region;
   result.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   result.sparse_linear_algebra_library_type = SparseLibrary();
   result.initial_trust_region_radius = options.initial_radius;
@@ -51,7 +50,7 @@ class TrustRegionSolve final : public ceres::EvaluationCallback {
             run,
             [run](const Eigen::VectorXd& p, Eigen::VectorXd* g) { return run->Gradient(p, g); },
             [this] { return accepted_; }, gradient, kMaxIdle, x) {
-    if (options.residuals == "gradient") {
+    if (options.residuals == TrustRegionResiduals::kGradient) {
       gradient_form_ = std::make_unique<GradientResiduals>(run->energy(), run);
     }
     options_.callbacks.push_back(&watch_);
@@ -122,33 +121,22 @@ bool OffersResiduals(const Energy& energy) {
 
 const OptionTable<CeresTrustRegionOptions>& CeresTrustRegionOptionTable() {
   using O = CeresTrustRegionOptions;
-  static const OptionTable<O> kTable("ceres_trust_region", [] {
-    auto fields = LimitFields<O>();
-    const std::vector<OptionTable<O>::Field> own = {
-        {"trust_region", &O::trust_region, 0, 0, {"levenberg_marquardt", "dogleg"}, "method"},
-        {"residuals",
-         &O::residuals,
-         0,
-         0,
-         {"exact", "gradient"},
-         "the energy's own, or its gradient as residuals"},
-        {"initial_radius",
-         &O::initial_radius,
-         kLeastRadius,
-         kMostRadius,
-         {},
-         "of the trust region"},
-        {"num_threads", &O::num_threads, 1, kMostThreads, {}, "for residuals and Jacobians"}};
-    fields.insert(fields.end(), own.begin(), own.end());
-    return fields;
-  }());
+  static const OptionTable<O> kTable(
+      "ceres_trust_region",
+      Joined<O>(LimitOptions<O>(),
+                {{"trust_region", &O::trust_region, "method"},
+                 {"residuals", &O::residuals, "the energy's own, or its gradient as residuals"},
+                 Option<O>("initial_radius", &O::initial_radius, "of the trust region")
+                     .Between(kLeastRadius, kMostRadius),
+                 Option<O>("num_threads", &O::num_threads, "for residuals and Jacobians")
+                     .Between(1, kMostThreads)}));
   return kTable;
 }
 
 SolveSummary CeresTrustRegionStrategy::Minimize(const Energy& energy, const SolveControl& control,
                                                 Eigen::VectorXd* x) const {
   SolveRun run("ceres_trust_region", options_, control, energy);
-  if (options_.residuals == "exact" && !OffersResiduals(energy)) {
+  if (options_.residuals == TrustRegionResiduals::kExact && !OffersResiduals(energy)) {
     run.End(Termination::kUnsupported,
             "the energy has no least-squares form; use residuals = gradient or another strategy");
     return run.Finish(*x);

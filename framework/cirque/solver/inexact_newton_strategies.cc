@@ -4,9 +4,8 @@
 #include <functional>
 #include <utility>
 
-#include "cirque/linear/lagged_factorization.h"
-#include "cirque/linear/registry.h"
 #include "cirque/solver/newton_loop.h"
+#include "cirque/linear/lagged_factorization.h"
 
 namespace cirque {
 
@@ -22,8 +21,8 @@ class InexactDirection {
   InexactDirection(double forcing, SystemSolver* solver, SolveRun* run)
       : forcing_(forcing), solver_(solver), run_(run) {}
 
-  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-                  LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction) {
+  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, LevenbergMarquardtDamping* damping,
+                  Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
     damping->DampHessian(&hessian_);
     const double goal = run_->gradient_tolerance() / gradient.lpNorm<Eigen::Infinity>();
@@ -61,15 +60,14 @@ void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, E
 }
 
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
-  static const OptionTable<NewtonCgOptions> kTable("newton_cg", [] {
-    auto fields = LimitFields<NewtonCgOptions>();
-    fields.push_back({"linear_solver", &NewtonCgOptions::linear_solver, 0, 0,
-                      LinearSolvers().Names(), "sparse Cholesky; default: the first"});
-    for (auto& field : InexactNewtonFields<NewtonCgOptions>(
-             "conjugate gradient iterations a step before factoring anew")) {
-      fields.push_back(std::move(field));
-    }
-    return fields;
+  using O = NewtonCgOptions;
+  static const OptionTable<O> kTable("newton_cg", [] {
+    auto options = Joined<O>(LimitOptions<O>(), {Option<O>("linear_solver", &O::linear_solver,
+                                                           "sparse Cholesky; default: the first")
+                                                     .OneOf(LinearSolvers().Names())});
+    return Joined<O>(
+        std::move(options),
+        InexactNewtonOptions<O>("conjugate gradient iterations a step before factoring anew"));
   }());
   return kTable;
 }
@@ -84,20 +82,15 @@ SolveSummary NewtonCgStrategy::Minimize(const Energy& energy, const SolveControl
 }
 
 const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable() {
-  using Options = NewtonAmgOptions;
-  static const OptionTable<Options> kTable("newton_amg", [] {
-    auto fields = LimitFields<Options>();
-    fields.push_back({"multigrid",
-                      &Options::multigrid,
-                      0,
-                      0,
-                      {"boomeramg", "gamg"},
-                      "the method; default: boomeramg where PETSc has hypre"});
-    for (auto& field : InexactNewtonFields<Options>(
-             "conjugate gradient iterations a system before factoring it")) {
-      fields.push_back(std::move(field));
-    }
-    return fields;
+  using O = NewtonAmgOptions;
+  static const OptionTable<O> kTable("newton_amg", [] {
+    auto options = Joined<O>(LimitOptions<O>(),
+                             {Option<O>("multigrid", &O::multigrid,
+                                        "the method; default: boomeramg where PETSc has hypre")
+                                  .OneOf({"boomeramg", "gamg"})});
+    return Joined<O>(
+        std::move(options),
+        InexactNewtonOptions<O>("conjugate gradient iterations a system before factoring it"));
   }());
   return kTable;
 }
@@ -109,7 +102,7 @@ SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveContro
   SystemSolver* solver = control.system_solver ? control.system_solver : &own;
   if (SparseMatrix smooth; !control.system_solver && energy.SmoothHessian(x->data(), &smooth)) {
     LevenbergMarquardtDamping(energy).DampHessian(&smooth);
-    own.PrepareForSystemsNear(smooth, &run.summary());
+    own.ExpectSystemsNear(smooth, &run.summary());
   }
   IterateInexactNewton(options_.forcing, solver, &run, x);
   SolveSummary summary = run.Finish(*x);

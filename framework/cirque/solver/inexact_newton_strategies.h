@@ -4,24 +4,19 @@
 #include <vector>
 
 #include "cirque/core/option_table.h"
-#include "cirque/linear/amg_system_solver.h"
-#include "cirque/linear/registry.h"
 #include "cirque/linear/system_solver.h"
 #include "cirque/solver/solve_run.h"
 #include "cirque/solver/solver_strategy.h"
+#include "cirque/linear/amg_system_solver.h"
 
 namespace cirque {
 
 /// The rows of an option table for what every strategy on IterateInexactNewton has.
 template <class T>
-std::vector<typename OptionTable<T>::Field> InexactNewtonFields(const std::string& cg_limit_help) {
-  return {{"max_cg_iterations", &T::max_cg_iterations, 1, 1e6, {}, cg_limit_help},
-          {"forcing",
-           &T::forcing,
-           1e-10,
-           0.9,
-           {},
-           "relative residual of the first steps' linear systems"}};
+std::vector<Option<T>> InexactNewtonOptions(const std::string& cg_limit_help) {
+  return {Option<T>("max_cg_iterations", &T::max_cg_iterations, cg_limit_help).Between(1, 1e6),
+          Option<T>("forcing", &T::forcing, "relative residual of the first steps' linear systems")
+              .Between(1e-10, 0.9)};
 }
 
 /// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs

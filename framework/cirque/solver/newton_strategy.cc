@@ -38,12 +38,11 @@ class CholeskyDirection {
 }  // namespace
 
 const OptionTable<NewtonOptions>& NewtonOptionTable() {
-  static const OptionTable<NewtonOptions> kTable("newton", [] {
-    auto fields = LimitFields<NewtonOptions>();
-    fields.push_back({"linear_solver", &NewtonOptions::linear_solver, 0, 0, LinearSolvers().Names(),
-                      "sparse Cholesky; default: the first"});
-    return fields;
-  }());
+  using O = NewtonOptions;
+  static const OptionTable<O> kTable(
+      "newton", Joined<O>(LimitOptions<O>(), {Option<O>("linear_solver", &O::linear_solver,
+                                                        "sparse Cholesky; default: the first")
+                                                  .OneOf(LinearSolvers().Names())}));
   return kTable;
 }
 

@@ -50,13 +50,14 @@ std::vector<std::string> KnownStrategyNames();
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
                                                                    const OptionMap& options = {});
 
-/// The three fields of SolverLimits, for the table of an options struct that derives from it.
+/// The three options of SolverLimits, for the table of a struct that derives from it.
 template <class T>
-std::vector<typename OptionTable<T>::Field> LimitFields() {
+std::vector<Option<T>> LimitOptions() {
   constexpr double kMany = std::numeric_limits<int>::max();
-  return {{"max_iterations", &T::max_iterations, 0, kMany, {}, "accepted steps"},
-          {"gradient_tolerance", &T::gradient_tolerance, 0, 1, {}, "largest |dE/dx_i| at the end"},
-          {"max_seconds", &T::max_seconds, 0, 1e9, {}, "wall time"}};
+  return {Option<T>("max_iterations", &T::max_iterations, "accepted steps").Between(0, kMany),
+          Option<T>("gradient_tolerance", &T::gradient_tolerance, "largest |dE/dx_i| at the end")
+              .Between(0, 1),
+          Option<T>("max_seconds", &T::max_seconds, "wall time").Between(0, 1e9).Unit("s")};
 }
 
 /// A factory whose strategy type S is constructed from its options struct O, read through `table`.

@@ -5,12 +5,11 @@
 namespace cirque {
 
 const OptionTable<GradientDescentOptions>& GradientDescentOptionTable() {
-  static const OptionTable<GradientDescentOptions> kTable("gradient_descent", [] {
-    auto fields = LimitFields<GradientDescentOptions>();
-    fields.push_back(
-        {"step", &GradientDescentOptions::step, 0, 1e3, {}, "multiple of the gradient"});
-    return fields;
-  }());
+  using O = GradientDescentOptions;
+  static const OptionTable<O> kTable(
+      "gradient_descent",
+      Joined<O>(LimitOptions<O>(),
+                {Option<O>("step", &O::step, "multiple of the gradient").Between(0, 1e3)}));
   return kTable;
 }
 
