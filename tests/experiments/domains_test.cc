@@ -63,7 +63,7 @@ TEST_F(DomainsTest, WrongCombinationsAreRefusedByName) {
       {"--domain=disk --centre=x", "'x' is no vertex"},
       {"--domain=disk --centre=100000", "no face has vertex 100000"},
       {"--domain=rectangle --corners=1,2,3", "a rectangle has 4 corners"},
-      {"--domain=disk --normalization=mass", "unknown normalization"},
+      {"--domain=disk --normalization=mass", "--normalization = 'mass' is not one of"},
       {"--domain=disk -ie cuts", "takes no --ie"}};
   for (const auto& [flags, message] : cases) {
     const ProgramResult refused = Map(flags);
