@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -12,31 +11,10 @@
 namespace cirque {
 namespace {
 
-constexpr std::size_t kColumns = 100, kIndent = 31;
+constexpr std::size_t kIndent = 31;
 
 bool Contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// `first`, then the words of the text in lines that start at kIndent.
-std::string Wrapped(std::string first, const std::string& text) {
-  std::string lines, line = std::move(first);
-  if (line.size() >= kIndent) {
-    lines = line + "\n";
-    line.clear();
-  }
-  line.resize(kIndent, ' ');
-  std::istringstream words(text);
-  bool is_first = true;
-  for (std::string word; words >> word; is_first = false) {
-    if (!is_first && line.size() + 1 + word.size() > kColumns) {
-      lines += line + "\n";
-      line.assign(kIndent, ' ');
-      is_first = true;
-    }
-    line += (is_first ? "" : " ") + word;
-  }
-  return lines + line + "\n";
 }
 
 /// "=WORD" and the like.
@@ -63,7 +41,7 @@ std::string HelpEntry(const OptionInfo& option) {
   if (!option.default_text.empty() && option.default_text != "false") {
     text += "; default " + option.default_text;
   }
-  return Wrapped("  --" + option.name + ValueName(option) + " ", text);
+  return Wrapped("  --" + option.name + ValueName(option) + " ", text, kIndent);
 }
 
 /// A boolean's value as people write it.

@@ -35,7 +35,7 @@ class LargestVertices final : public BudgetedHeuristic {
 };
 
 const OptionTable<ConeBudget>& LargestVerticesOptionTable() {
-  static const OptionTable<ConeBudget> kTable("largest", BudgetFields<ConeBudget>());
+  static const OptionTable<ConeBudget> kTable("largest", BudgetOptions<ConeBudget>());
   return kTable;
 }
 

@@ -52,7 +52,7 @@ TEST(ConeAngles, RangesHoldTheProposedAngle) {
 }
 
 TEST(ConeAngles, WordsAreRead) {
-  EXPECT_EQ(ParseConeAngles("pi/3")->angles, "pi/3");
+  EXPECT_EQ(ParseConeAngles("pi/3")->angles, ConeAngleRule::kThirds);
   EXPECT_EQ(ParseConeAngles("ranges:width=0.5")->width, 0.5);
   for (const char* bad : {"", "pi/4", "free:width=1", "ranges:width=-1", "ranges:wide=1",
                           "ranges:width", "ranges:width=1,width=2"}) {

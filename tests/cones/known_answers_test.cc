@@ -116,8 +116,8 @@ TEST(KnownCones, AMisplacedConeIsPutWhereItIsMissing) {
   const ConeProblem problem(surface.triangulation, lengths);
   const std::vector<Index> corners = CornersOf(problem);
   ASSERT_EQ(corners.size(), 8u);
-  for (const char* measure : {"area", "angle"}) {
-    SCOPED_TRACE(measure);
+  for (const ConeMeasureKind measure : {ConeMeasureKind::kArea, ConeMeasureKind::kAngle}) {
+    SCOPED_TRACE(ToWord(measure));
     std::vector<Cone> start;
     for (int i = 1; i < 8; ++i) start.push_back(ConeOfCurvature(corners[i], kPi / 2));
     // Two edges from the second corner, which already has its own.
@@ -231,17 +231,17 @@ void ExpectFormAgrees(const ConeFit& fit, const ConeMeasure& measure) {
   EXPECT_NEAR(fit.Measure(), measure.Value(u), 1e-9);
 }
 
-void ExpectFitIsOptimal(const std::string& name) {
-  SCOPED_TRACE(name);
+void ExpectFitIsOptimal(ConeMeasureKind kind) {
+  SCOPED_TRACE(ToWord(kind));
   const Surface surface = GeneratedSurface("blob", 800);
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
-  const auto measure = MakeConeMeasure(name, problem);
-  ConeFit fit(problem, MakeConeMeasure(name, problem));
+  const auto measure = MakeConeMeasure(kind, problem);
+  ConeFit fit(problem, MakeConeMeasure(kind, problem));
   for (const Index v : {3, 50, 120, 200, 310}) fit.Add(v);
   ASSERT_TRUE(fit.FitLeastSquares());
   measure->AdaptTo(fit.LogScale());
-  EXPECT_EQ(fit.AdaptMeasure(), name == "angle");
+  EXPECT_EQ(fit.AdaptMeasure(), kind == ConeMeasureKind::kAngle);
   const double start = fit.Measure();
   ASSERT_TRUE(fit.FitLeastSquares());
   EXPECT_NEAR(fit.curvature().sum(), problem.TotalCurvature(), 1e-10);
@@ -270,8 +270,8 @@ void ExpectFitIsOptimal(const std::string& name) {
 }
 
 TEST(ConeFit, LeastSquaresIsOptimalAndZeroAtConesIsZero) {
-  ExpectFitIsOptimal("area");
-  ExpectFitIsOptimal("angle");
+  ExpectFitIsOptimal(ConeMeasureKind::kArea);
+  ExpectFitIsOptimal(ConeMeasureKind::kAngle);
 }
 
 }  // namespace

@@ -41,5 +41,13 @@ TEST(Text, JoinTakesAnySeparator) {
   EXPECT_EQ(IdList({4, 5, 6}, 3), "4, 5, 6");
 }
 
+TEST(Text, LinesAreWrappedAndGoOnAtTheIndent) {
+  EXPECT_EQ(Wrapped("a ", "bc de fg", 4, 9), "a   bc de\n    fg\n");
+  EXPECT_EQ(Wrapped("a ", "bc de fg", 4, 8), "a   bc\n    de\n    fg\n");
+  EXPECT_EQ(Wrapped("abcdef ", "gh", 4, 9), "abcdef\n    gh\n");
+  EXPECT_EQ(Wrapped("", "longer_than_the_line x", 2, 9), "  longer_than_the_line\n  x\n");
+  EXPECT_EQ(Wrapped("a", "  b \n c ", 2), "a b c\n");
+}
+
 }  // namespace
 }  // namespace cirque

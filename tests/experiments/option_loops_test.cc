@@ -69,7 +69,7 @@ TEST(OptionLoops, EveryOptionOfTheMethodIsAKeyInHelpAndReference) {
   for (const SchemaField* field : FieldsOf(ConfigSchema(), "methods")) keys.push_back(field->Key());
   for (const std::string& option : ParameterizeOptionTable().Names()) {
     EXPECT_THAT(keys, Contains(option));
-    EXPECT_THAT(ConfigHelp(ConfigSchema()), HasSubstr("    " + option + "*:"));
+    EXPECT_THAT(ConfigHelp(ConfigSchema()), HasSubstr("\n    " + option + "*:"));
     EXPECT_THAT(reference, HasSubstr("| `methods." + option + "` *"));
   }
 }

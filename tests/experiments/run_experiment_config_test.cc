@@ -413,9 +413,15 @@ TEST(RunExperimentConfig, AnOldWordBesideItsNewOneIsRefused) {
 
 TEST(RunExperimentConfig, HelpExplainsEveryKeyAndItsExampleIsAValidConfig) {
   const std::string help = ConfigHelp(ConfigSchema());
+  std::string words, line;  // the help without its line breaks
+  std::istringstream stream(help);
+  for (std::string word; stream >> word;) words += word + " ";
   for (const SchemaField& field : ConfigSchema()) {
-    EXPECT_THAT(help, HasSubstr(field.Key()));
-    EXPECT_THAT(help, HasSubstr(field.help));
+    EXPECT_THAT(words, HasSubstr(field.Key()));
+    EXPECT_THAT(words, HasSubstr(field.help));
+  }
+  for (std::istringstream lines(help); std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 100u) << line;
   }
   const TemporaryFolder folder;
   const std::string example = help.substr(help.find("Example:\n") + 9);

@@ -26,6 +26,8 @@ constexpr char kExample[] =
     "    - name: quadratic\n"
     "      epsilon: [1e-3, 1e-2]\n";
 
+constexpr std::size_t kIndent = 22;
+
 std::string Notes(const SchemaField& field) {
   std::vector<std::string> notes;
   if (field.required) notes.push_back("required");
@@ -40,8 +42,8 @@ std::string Entry(const SchemaField& field) {
   const int depth = static_cast<int>(std::count(field.path.begin(), field.path.end(), '.'));
   const std::string key =
       std::string(2 * (depth + 1), ' ') + field.Key() + (field.matrix ? "*" : "") + ":";
-  return fmt::format("{:<22}{}{}\n{:22}{}\n", key, field.help, Notes(field), "",
-                     Expectation(field));
+  return Wrapped(key + " ", field.help + Notes(field), kIndent) +
+         Wrapped("", Expectation(field), kIndent);
 }
 
 constexpr char kPageHead[] =

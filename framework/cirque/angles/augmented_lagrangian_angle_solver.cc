@@ -203,13 +203,20 @@ const OptionTable<AugmentedLagrangianOptions>& AugmentedLagrangianOptionTable() 
   constexpr double kMany = std::numeric_limits<int>::max();
   static const OptionTable<O> kTable(
       "ceres_augmented_lagrangian",
-      {{"max_iterations", &O::max_iterations, 0, kMany, {}, "accepted inner steps in all"},
-       {"max_outer_iterations", &O::max_outer_iterations, 1, kMany, {}, "multiplier updates"},
-       {"first_penalty", &O::first_penalty, 1e-6, 1e12, {}, "relative to the mean curvature"},
-       {"penalty_growth", &O::penalty_growth, 1, 1e6, {}, "where the residual fell too little"},
-       {"largest_penalty", &O::largest_penalty, 1e-6, 1e12, {}, "relative to the mean curvature"},
-       {"sum_tolerance", &O::sum_tolerance, 0, 1, {}, "largest residual of sums at the end [rad]"},
-       {"max_seconds", &O::max_seconds, 0, 1e9, {}, "wall time"}});
+      {Option<O>("max_iterations", &O::max_iterations, "accepted inner steps in all")
+           .Between(0, kMany),
+       Option<O>("max_outer_iterations", &O::max_outer_iterations, "multiplier updates")
+           .Between(1, kMany),
+       Option<O>("first_penalty", &O::first_penalty, "relative to the mean curvature")
+           .Between(1e-6, 1e12),
+       Option<O>("penalty_growth", &O::penalty_growth, "where the residual fell too little")
+           .Between(1, 1e6),
+       Option<O>("largest_penalty", &O::largest_penalty, "relative to the mean curvature")
+           .Between(1e-6, 1e12),
+       Option<O>("sum_tolerance", &O::sum_tolerance, "largest residual of sums at the end")
+           .Between(0, 1)
+           .Unit("rad"),
+       Option<O>("max_seconds", &O::max_seconds, "wall time").Between(0, 1e9).Unit("s")});
   return kTable;
 }
 

@@ -236,22 +236,15 @@ const OptionTable<InteriorPointOptions>& InteriorPointOptionTable() {
   using O = InteriorPointOptions;
   constexpr double kMany = std::numeric_limits<int>::max();
   static const OptionTable<O> kTable(
-      "interior_point", {{"max_iterations", &O::max_iterations, 0, kMany, {}, "steps"},
-                         {"gap_tolerance",
-                          &O::gap_tolerance,
-                          0,
-                          1,
-                          {},
-                          "largest relative complementarity at the end"},
-                         {"feasibility_tolerance",
-                          &O::feasibility_tolerance,
-                          0,
-                          1,
-                          {},
-                          "largest residual at the end"},
-                         {"max_seconds", &O::max_seconds, 0, 1e9, {}, "wall time"},
-                         {"linear_solver", &O::linear_solver, 0, 0, LinearSolvers().Names(),
-                          "sparse Cholesky; default: the first"}});
+      "interior_point",
+      {Option<O>("max_iterations", &O::max_iterations, "steps").Between(0, kMany),
+       Option<O>("gap_tolerance", &O::gap_tolerance, "largest relative complementarity at the end")
+           .Between(0, 1),
+       Option<O>("feasibility_tolerance", &O::feasibility_tolerance, "largest residual at the end")
+           .Between(0, 1),
+       Option<O>("max_seconds", &O::max_seconds, "wall time").Between(0, 1e9).Unit("s"),
+       Option<O>("linear_solver", &O::linear_solver, "sparse Cholesky; default: the first")
+           .OneOf(LinearSolvers().Names())});
   return kTable;
 }
 

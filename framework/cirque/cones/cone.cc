@@ -73,10 +73,11 @@ std::vector<Cone> ConesOf(const Triangulation& t, const ConeTargets& targets) {
 namespace {
 
 const OptionTable<ConeAngleOptions>& AngleOptionTable() {
-  static const OptionTable<ConeAngleOptions> kTable(
+  using O = ConeAngleOptions;
+  static const OptionTable<O> kTable(
       "cone_angles",
-      {{"angles", &ConeAngleOptions::angles, 0, 0, ConeAngleWords(), "how"},
-       {"width", &ConeAngleOptions::width, 0, 2 * kPi, {}, "half of a range [rad]"}});
+      {{"angles", &O::angles, "how"},
+       Option<O>("width", &O::width, "half of a range").Between(0, 2 * kPi).Unit("rad")});
   return kTable;
 }
 
@@ -150,8 +151,6 @@ void Widen(const ConeProblem& problem, double width, std::vector<Cone>* cones) {
 
 }  // namespace
 
-std::vector<std::string> ConeAngleWords() { return {"free", "pi/2", "pi/3", "ranges"}; }
-
 StatusOr<ConeAngleOptions> ParseConeAngles(const std::string& text) {
   StatusOr<NameWithOptions> parsed = ParseNameWithOptions(text);
   if (!parsed.ok()) return parsed.status();
@@ -173,9 +172,9 @@ StatusOr<std::vector<Cone>> ApplyConeAngles(const ConeProblem& problem, std::vec
   });
   const std::vector<Cone> kept(open_end, cones.end());
   cones.erase(open_end, cones.end());
-  if (options.angles == "ranges") Widen(problem, options.width, &cones);
-  if (options.angles.starts_with("pi/")) {
-    const int parts = options.angles.back() - '0';
+  if (options.angles == ConeAngleRule::kRanges) Widen(problem, options.width, &cones);
+  if (options.angles == ConeAngleRule::kHalves || options.angles == ConeAngleRule::kThirds) {
+    const int parts = options.angles == ConeAngleRule::kHalves ? 2 : 3;
     if (Status s = Rounding(problem, &cones, parts).Run(); !s.ok()) return s;
   }
   cones.insert(cones.end(), kept.begin(), kept.end());

@@ -32,14 +32,21 @@ StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& triangulation,
 /// The way back: the vertices whose targets are not those of FreeBoundaryTargets.
 std::vector<Cone> ConesOf(const Triangulation& triangulation, const ConeTargets& targets);
 
+/// free: as they are. pi/2, pi/3: rounded to multiples of that. ranges: an interval about each.
+enum class ConeAngleRule { kFree, kHalves, kThirds, kRanges };
+
+template <>
+inline constexpr auto kEnumWords<ConeAngleRule> =
+    std::to_array<EnumWord<ConeAngleRule>>({{ConeAngleRule::kFree, "free"},
+                                            {ConeAngleRule::kHalves, "pi/2"},
+                                            {ConeAngleRule::kThirds, "pi/3"},
+                                            {ConeAngleRule::kRanges, "ranges"}});
+
 /// What becomes of the angles that a heuristic proposes.
 struct ConeAngleOptions {
-  std::string angles = "free";  ///< a word of ConeAngleWords()
-  double width = kPi / 4;       ///< [rad]: half of a range
+  ConeAngleRule angles = ConeAngleRule::kFree;
+  double width = kPi / 4;  ///< [rad]: half of a range
 };
-
-/// free: as they are. pi/2, pi/3: rounded to multiples of that. ranges: an interval about each.
-std::vector<std::string> ConeAngleWords();
 
 /// The options from "WORD" or "ranges:width=RADIANS".
 StatusOr<ConeAngleOptions> ParseConeAngles(const std::string& text);

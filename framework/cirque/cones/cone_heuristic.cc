@@ -14,7 +14,8 @@ bool BudgetedHeuristic::MeetsTarget(const ConeProblem& problem,
                                     const StatusOr<std::vector<Cone>>& cones) const {
   if (!cones.ok()) return false;
   const Eigen::VectorXd u = PredictedLogScale(problem, *cones);
-  const double norm = budget_.norm == "l2" ? AreaNorm(problem, u) : u.lpNorm<Eigen::Infinity>();
+  const double norm =
+      budget_.norm == LogScaleNorm::kL2 ? AreaNorm(problem, u) : u.lpNorm<Eigen::Infinity>();
   return norm <= budget_.target;
 }
 

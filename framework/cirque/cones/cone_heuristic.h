@@ -20,18 +20,25 @@ class ConeHeuristic {
   virtual StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const = 0;
 };
 
+enum class LogScaleNorm { kL2, kMax };  ///< kL2: area-weighted
+
+template <>
+inline constexpr auto kEnumWords<LogScaleNorm> =
+    std::to_array<EnumWord<LogScaleNorm>>({{LogScaleNorm::kL2, "l2"}, {LogScaleNorm::kMax, "max"}});
+
 /// How many cones. The options of every heuristic that counts begin with these.
 struct ConeBudget {
-  int cones = -1;           ///< the most; -1: 8, or what `target` needs
-  double target = 0;        ///< distortion in the linear model at which to stop; 0: use all cones
-  std::string norm = "l2";  ///< of the log scale u for `target`: "l2" (area-weighted) or "max"
+  int cones = -1;     ///< the most; -1: 8, or what `target` needs
+  double target = 0;  ///< distortion in the linear model at which to stop; 0: use all cones
+  LogScaleNorm norm = LogScaleNorm::kL2;  ///< of the log scale u for `target`
 };
 
 template <class T>
-std::vector<typename OptionTable<T>::Field> BudgetFields() {
-  return {{"cones", &T::cones, -1, 1e6, {}, "the most cones; -1: 8, or what the target needs"},
-          {"target", &T::target, 0, 1e6, {}, "log scale at which to stop; 0: none"},
-          {"norm", &T::norm, 0, 0, {"l2", "max"}, "of the log scale, for the target"}};
+std::vector<Option<T>> BudgetOptions() {
+  return {Option<T>("cones", &T::cones, "the most cones; -1: 8, or what the target needs")
+              .Between(-1, 1e6),
+          Option<T>("target", &T::target, "log scale at which to stop; 0: none").Between(0, 1e6),
+          Option<T>("norm", &T::norm, "of the log scale, for the target")};
 }
 
 /// A heuristic that can choose any number of cones: the base finds the least number that meets a

@@ -76,8 +76,8 @@ bool AngleMeasure::AdaptTo(const Eigen::VectorXd& u) {
   return true;
 }
 
-std::unique_ptr<ConeMeasure> MakeConeMeasure(const std::string& name, const ConeProblem& problem) {
-  if (name == "angle") return std::make_unique<AngleMeasure>(problem);
+std::unique_ptr<ConeMeasure> MakeConeMeasure(ConeMeasureKind kind, const ConeProblem& problem) {
+  if (kind == ConeMeasureKind::kAngle) return std::make_unique<AngleMeasure>(problem);
   return std::make_unique<AreaMeasure>(problem);
 }
 

@@ -8,8 +8,15 @@
 #include <Eigen/Core>
 
 #include "cirque/cones/cone_problem.h"
+#include "cirque/core/enum_words.h"
 
 namespace cirque {
+
+enum class ConeMeasureKind { kArea, kAngle };
+
+template <>
+inline constexpr auto kEnumWords<ConeMeasureKind> = std::to_array<EnumWord<ConeMeasureKind>>(
+    {{ConeMeasureKind::kArea, "area"}, {ConeMeasureKind::kAngle, "angle"}});
 
 /// What cones are to lower, as a measure of the log scale u (V) of the linear model and a quadratic
 /// form 1/2 u' M u that stands for it where the curvatures of cones are fitted.
@@ -69,7 +76,6 @@ class AngleMeasure final : public ConeMeasure {
   double delta_ = 0;
 };
 
-/// "area" or "angle".
-std::unique_ptr<ConeMeasure> MakeConeMeasure(const std::string& name, const ConeProblem& problem);
+std::unique_ptr<ConeMeasure> MakeConeMeasure(ConeMeasureKind kind, const ConeProblem& problem);
 
 }  // namespace cirque

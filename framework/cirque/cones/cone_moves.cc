@@ -20,7 +20,7 @@ constexpr double kHopeless = 1.05;
 }  // namespace
 
 ConeMoves::ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start,
-                     const std::string& measure)
+                     ConeMeasureKind measure)
     : problem_(problem),
       corners_at_(
           SortIntoBuckets(problem.triangulation().vertex, problem.triangulation().num_vertices)),

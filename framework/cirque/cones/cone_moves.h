@@ -14,7 +14,7 @@ namespace cirque {
 class ConeMoves {
  public:
   /// `measure`: as of MakeConeMeasure.
-  ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start, const std::string& measure);
+  ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start, ConeMeasureKind measure);
 
   /// The curvatures for where the cones start. False when none are admissible.
   bool FitStart();

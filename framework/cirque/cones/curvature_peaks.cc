@@ -36,7 +36,7 @@ std::vector<Index> SpreadPeaks(const ConeProblem& problem, int count) {
 
 const OptionTable<CurvaturePeaksOptions>& CurvaturePeaksOptionTable() {
   static const OptionTable<CurvaturePeaksOptions> kTable("curvature_peaks",
-                                                         BudgetFields<CurvaturePeaksOptions>());
+                                                         BudgetOptions<CurvaturePeaksOptions>());
   return kTable;
 }
 

@@ -21,23 +21,15 @@ bool IsAdmissible(const ConeProblem& problem, const ConeFit& fit) {
 }  // namespace
 
 const OptionTable<GreedyOptions>& GreedyOptionTable() {
-  static const OptionTable<GreedyOptions> kTable("greedy", [] {
-    auto fields = BudgetFields<GreedyOptions>();
-    fields.push_back(
-        {"pick", &GreedyOptions::pick, 0, 0, {"extreme", "descent"}, "where the next cone goes"});
-    fields.push_back({"fit",
-                      &GreedyOptions::fit,
-                      0,
-                      0,
-                      {"least_squares", "zero_at_cones"},
-                      "the curvatures at the end"});
-    return fields;
-  }());
+  using O = GreedyOptions;
+  static const OptionTable<O> kTable(
+      "greedy", Joined<O>(BudgetOptions<O>(), {{"pick", &O::pick, "where the next cone goes"},
+                                               {"fit", &O::fit, "the curvatures at the end"}}));
   return kTable;
 }
 
 StatusOr<std::vector<Cone>> GreedyCones::ChooseAtMost(const ConeProblem& problem, int count) const {
-  if (options_.pick == "descent") {
+  if (options_.pick == ConePick::kDescent) {
     return ChooseByDescent(problem, std::vector<bool>(problem.triangulation().num_vertices, true),
                            count);
   }
@@ -52,7 +44,8 @@ StatusOr<std::vector<Cone>> GreedyCones::ChooseAtMost(const ConeProblem& problem
     fit.Add(*next);
     fit.FitZeroAtCones();
   }
-  if (options_.fit == "least_squares" || !IsAdmissible(problem, fit)) fit.FitLeastSquares();
+  if (options_.fit == CurvatureFit::kLeastSquares || !IsAdmissible(problem, fit))
+    fit.FitLeastSquares();
   return fit.Cones();
 }
 

@@ -4,9 +4,20 @@
 
 namespace cirque {
 
+enum class ConePick { kExtreme, kDescent };
+enum class CurvatureFit { kLeastSquares, kZeroAtCones };
+
+template <>
+inline constexpr auto kEnumWords<ConePick> = std::to_array<EnumWord<ConePick>>(
+    {{ConePick::kExtreme, "extreme"}, {ConePick::kDescent, "descent"}});
+template <>
+inline constexpr auto kEnumWords<CurvatureFit> =
+    std::to_array<EnumWord<CurvatureFit>>({{CurvatureFit::kLeastSquares, "least_squares"},
+                                           {CurvatureFit::kZeroAtCones, "zero_at_cones"}});
+
 struct GreedyOptions : ConeBudget {
-  std::string pick = "extreme";       ///< or "descent"
-  std::string fit = "least_squares";  ///< or "zero_at_cones"
+  ConePick pick = ConePick::kExtreme;
+  CurvatureFit fit = CurvatureFit::kLeastSquares;
 };
 
 const OptionTable<GreedyOptions>& GreedyOptionTable();

@@ -9,24 +9,16 @@
 namespace cirque {
 
 const OptionTable<MovingOptions>& MovingOptionTable() {
-  static const OptionTable<MovingOptions> kTable("moving", [] {
-    auto fields = BudgetFields<MovingOptions>();
-    fields.push_back({"start", &MovingOptions::start, 0, 0, {}, "the heuristic that comes first"});
-    fields.push_back({"max_sweeps", &MovingOptions::max_sweeps, 0, 1e6, {}, "over all cones"});
-    fields.push_back({"measure",
-                      &MovingOptions::measure,
-                      0,
-                      0,
-                      {"area", "angle"},
-                      "the distortion that moves lower"});
-    fields.push_back({"relocations",
-                      &MovingOptions::relocations,
-                      0,
-                      1e6,
-                      {},
-                      "the most cones that are moved elsewhere at once"});
-    return fields;
-  }());
+  using O = MovingOptions;
+  static const OptionTable<O> kTable(
+      "moving",
+      Joined<O>(BudgetOptions<O>(),
+                {{"start", &O::start, "the heuristic that comes first"},
+                 Option<O>("max_sweeps", &O::max_sweeps, "over all cones").Between(0, 1e6),
+                 {"measure", &O::measure, "the distortion that moves lower"},
+                 Option<O>("relocations", &O::relocations,
+                           "the most cones that are put elsewhere at once")
+                     .Between(0, 1e6)}));
   return kTable;
 }
 

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "cirque/cones/cone_heuristic.h"
+#include "cirque/cones/cone_measure.h"
 
 namespace cirque {
 
 struct MovingOptions : ConeBudget {
   std::string start = "greedy";  ///< the heuristic that chooses the cones first
   int max_sweeps = 30;
-  std::string measure = "area";  ///< or "angle"
+  ConeMeasureKind measure = ConeMeasureKind::kArea;
   int relocations = 0;
 };
 

@@ -25,7 +25,7 @@ struct GivenOptions {
 
 const OptionTable<GivenOptions>& GivenOptionTable() {
   static const OptionTable<GivenOptions> kTable(
-      "given", {{"file", &GivenOptions::file, 0, 0, {}, "a cone file: 'vertex min max' a line"}});
+      "given", {{"file", &GivenOptions::file, "a cone file: 'vertex min max' a line"}});
   return kTable;
 }
 

@@ -49,12 +49,11 @@ double LargestUsefulLambda(const ConeProblem& problem) {
 }  // namespace
 
 const OptionTable<L1Options>& L1OptionTable() {
-  static const OptionTable<L1Options> kTable("l1", [] {
-    auto fields = BudgetFields<L1Options>();
-    fields.push_back({"lambda", &L1Options::lambda, 0, 1e9, {}, "0: sought for the budget"});
-    fields.push_back({"max_solves", &L1Options::max_solves, 1, 100, {}, "of that search"});
-    return fields;
-  }());
+  using O = L1Options;
+  static const OptionTable<O> kTable(
+      "l1", Joined<O>(BudgetOptions<O>(),
+                      {Option<O>("lambda", &O::lambda, "0: sought for the budget").Between(0, 1e9),
+                       Option<O>("max_solves", &O::max_solves, "of that search").Between(1, 100)}));
   return kTable;
 }
 
@@ -142,16 +141,11 @@ class Reweighting {
 }  // namespace
 
 const OptionTable<ReweightedOptions>& ReweightedOptionTable() {
-  static const OptionTable<ReweightedOptions> kTable("reweighted", [] {
-    auto fields = BudgetFields<ReweightedOptions>();
-    fields.push_back({"max_iterations",
-                      &ReweightedOptions::max_iterations,
-                      1,
-                      1000,
-                      {},
-                      "reweightings, a factorisation each"});
-    return fields;
-  }());
+  using O = ReweightedOptions;
+  static const OptionTable<O> kTable(
+      "reweighted", Joined<O>(BudgetOptions<O>(), {Option<O>("max_iterations", &O::max_iterations,
+                                                             "reweightings, a factorisation each")
+                                                       .Between(1, 1000)}));
   return kTable;
 }
 

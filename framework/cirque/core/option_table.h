@@ -42,15 +42,6 @@ class Option {
     info_.default_text = ToText(get_(T()));
   }
 
-  /// The same in one call: bounds of a number, texts allowed (none: any).
-  template <class Value, class Owner>
-  Option(std::string name, Value Owner::*member, double lower, double upper,
-         std::vector<std::string> words, std::string help)
-      : Option(std::move(name), member, std::move(help)) {
-    if (info_.kind != OptionKind::kText) info_.bounds = {lower, upper};
-    if (!words.empty()) info_.words = std::move(words);
-  }
-
   /// A number within these, both included.
   Option Between(double lower, double upper) && {
     info_.bounds = {lower, upper};
@@ -102,8 +93,6 @@ class Option {
 template <class T>
 class OptionTable {
  public:
-  using Field = Option<T>;
-
   /// `owner` names the struct in messages: "newton".
   OptionTable(std::string owner, std::vector<Option<T>> options)
       : owner_(std::move(owner)), options_(std::move(options)) {}

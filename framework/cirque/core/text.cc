@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,6 +47,28 @@ std::string UnknownName(std::string_view kind, std::string_view name,
 
 std::string Join(const std::vector<std::string>& words, std::string_view separator) {
   return fmt::format("{}", fmt::join(words, separator));
+}
+
+std::string Wrapped(std::string first, std::string_view text, std::size_t indent,
+                    std::size_t columns) {
+  std::string lines, line = std::move(first);
+  if (line.size() >= indent) {
+    lines = line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    line.clear();
+  }
+  line.resize(indent, ' ');
+  std::istringstream words{std::string(text)};
+  for (std::string word; words >> word;) {
+    const bool is_first = line.size() == indent;
+    if (!is_first && line.size() + 1 + word.size() > columns) {
+      lines += line + "\n";
+      line.assign(indent, ' ');
+    } else if (!is_first) {
+      line += ' ';
+    }
+    line += word;
+  }
+  return lines + line + "\n";
 }
 
 std::string IdList(const std::vector<int>& ids, int limit) {
