@@ -8,8 +8,8 @@
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/layout/poisson_layout.h"
 #include "cirque/metrics/measure_map.h"
 #include "cirque/pipeline/parameterize.h"
 

@@ -7,10 +7,10 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/registry.h"
-#include "cirque/intrinsic/flip_back.h"
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
-#include "cirque/layout/latlong.h"
+#include "cirque/layout/sphere_chart.h"
 
 #include "experiments/common/sphere_files.h"
 

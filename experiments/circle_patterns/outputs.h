@@ -5,15 +5,15 @@
 #include "cirque/core/status.h"
 #include "cirque/domains/domain.h"
 #include "cirque/io/polygon_soup.h"
-#include "cirque/mesh/hole_filling.h"
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
 
 #include "experiments/circle_patterns/run.h"
 
 namespace cirque {
 
-/// Refuses names of outputs whose format cannot hold a map to the job's domain: an .obj holds any, a
-/// .ply those to the sphere.
+/// Refuses names of outputs whose format cannot hold a map to the job's domain: an .obj holds any,
+/// a .ply those to the sphere.
 Status CheckOutputNames(const CirclePatternsJob& job);
 
 /// What was read, the surface that it is, and the one that was solved on where holes were filled.
@@ -23,10 +23,10 @@ struct Input {
   const FilledSurface* filled;  ///< null: the surface itself
 };
 
-/// Writes the map of the input's own triangles: with UV the mesh as it was with texture, or its points
-/// on the sphere (vertices of no face at (0, 0, 0)), as a .ply beside those that it had, with the
-/// distortion of every face; then the flat metric, measures and texture of latitude and longitude as
-/// far as the job asks for them.
+/// Writes the map of the input's own triangles: with UV the mesh as it was with texture, or its
+/// points on the sphere (vertices of no face at (0, 0, 0)), as a .ply beside those that it had,
+/// with the distortion of every face; then the flat metric, measures and texture of latitude and
+/// longitude as far as the job asks for them.
 Status WriteOutputs(const CirclePatternsJob& job, const Input& input, std::ostream& report,
                     SurfaceMap* map);
 

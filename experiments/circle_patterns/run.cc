@@ -11,7 +11,7 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
-#include "cirque/mesh/hole_filling.h"
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/pipeline/infeasibility_files.h"
 

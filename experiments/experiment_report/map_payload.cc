@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "cirque/metrics/colour_scale.h"
 #include "cirque/metrics/mapped_faces.h"
-#include "cirque/metrics/registry.h"
+#include "cirque/metrics/measure_files.h"
+#include "cirque/metrics/distortion_measure.h"
 
 #include "experiments/experiment_report/byte_stream.h"
 

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "cirque/energy/lorentz_energy.h"
-#include "cirque/layout/lorentz_normalization.h"
+#include "cirque/layout/moebius_normalization.h"
 #include "cirque/math/lorentz.h"
 #include "cirque/solver/newton_strategy.h"
 

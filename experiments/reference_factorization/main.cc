@@ -9,7 +9,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/mesh/subdivision.h"
+#include "cirque/mesh/surface.h"
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"

@@ -22,7 +22,7 @@ DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of 
 DEFINE_string(
     measures, "",
     "files of distortion measures, a comma between: .csv (per triangle), .json (per map), "
-    ".ply or .ply:METRIC (colours on IN)");
+    ".ply or .ply:MEASURE (colours on IN)");
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");

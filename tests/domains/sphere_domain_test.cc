@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/domains/sphere_normalization.h"
-#include "cirque/layout/lorentz_normalization.h"
-#include "cirque/metrics/spherical.h"
+#include "cirque/layout/moebius_normalization.h"
+#include "cirque/metrics/injectivity.h"
 
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"

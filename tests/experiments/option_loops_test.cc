@@ -10,8 +10,8 @@
 #include "cirque/pipeline/options.h"
 
 #include "experiments/circle_patterns/flags.h"
-#include "experiments/run_experiment/config.h"
-#include "experiments/run_experiment/schema.h"
+#include "experiments/run_experiment/config/config.h"
+#include "experiments/run_experiment/config/schema.h"
 #include "tests/common/run_program.h"
 
 namespace cirque {

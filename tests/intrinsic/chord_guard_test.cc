@@ -1,5 +1,3 @@
-#include "cirque/intrinsic/chord_guard.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>

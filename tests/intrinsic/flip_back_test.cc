@@ -1,10 +1,9 @@
-#include "cirque/intrinsic/flip_back.h"
-
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "cirque/intrinsic/input_chart.h"
 #include "cirque/math/predicates.h"
 
 #include "tests/common/surfaces.h"
@@ -103,7 +102,7 @@ TEST(FlipBack, WhatDependsOnAStuckEdgeStaysTooAndAllOfItIsListed) {
   const IntrinsicMesh input =
       testing::Scramble({patch.triangulation, MeasureEdgeLengths(patch)}, 3000, 1);
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(input.triangulation, input.lengths);
-  // Another flat metric: the same triangles in a sheared plane, none of them mirrored.
+  // Another flat metric: the same triangles in a sheared plane, none of them flipped.
   const Triangulation& t = delaunay.triangulation;
   std::vector<Eigen::Vector2d> at;
   for (Index v = 0; v < t.num_vertices; ++v) {

@@ -22,20 +22,20 @@ TEST(InputChart, UndoneFlipsGiveBackAFlatMetric) {
   ASSERT_GT(intrinsic.flips.size(), 100u);
   const CornerAngles flat = MeasureCornerAngles(intrinsic.triangulation, intrinsic.lengths);
   const InputChart back = ReadOnInput(t, intrinsic, flat, intrinsic.lengths);
-  EXPECT_TRUE(back.mirrored.empty());
+  EXPECT_TRUE(back.flipped.empty());
   EXPECT_LT((back.lengths.value - lengths.value).lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_LT((back.angles.value - AnglesOf(sheared).value).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
-TEST(InputChart, ATriangleThatFoldsOverIsNamedMirrored) {
+TEST(InputChart, ATriangleThatFoldsOverIsNamedFlipped) {
   // A flat fan whose Delaunay edges are read in another flat metric: its centre pulled across an
   // edge.
   const Surface fan = Fan(5, 0.0);
   IntrinsicTriangulation same = {fan.triangulation, MeasureEdgeLengths(fan), {}, {}};
   CornerAngles angles = AnglesOf(fan);
-  EXPECT_TRUE(ReadOnInput(fan.triangulation, same, angles, same.lengths).mirrored.empty());
+  EXPECT_TRUE(ReadOnInput(fan.triangulation, same, angles, same.lengths).flipped.empty());
   angles.value.head<3>() *= -1;
-  EXPECT_EQ(ReadOnInput(fan.triangulation, same, angles, same.lengths).mirrored,
+  EXPECT_EQ(ReadOnInput(fan.triangulation, same, angles, same.lengths).flipped,
             std::vector<Index>{0});
 }
 

@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/io/byte_order.h"
-#include "cirque/io/off_reader.h"
-#include "cirque/io/ply_reader.h"
-#include "cirque/io/stl_reader.h"
+#include "cirque/io/file_input.h"
+#include "cirque/io/off.h"
+#include "cirque/io/ply.h"
+#include "cirque/io/stl.h"
 
 namespace cirque {
 namespace {

@@ -1,9 +1,9 @@
-#include "cirque/layout/latlong.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "cirque/layout/sphere_chart.h"
 
 #include "tests/common/surfaces.h"
 

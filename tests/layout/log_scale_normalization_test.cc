@@ -1,9 +1,9 @@
-#include "cirque/layout/log_scale_normalization.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "cirque/layout/moebius_normalization.h"
 
 namespace cirque {
 namespace {

@@ -9,10 +9,9 @@
 
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/intrinsic/corner_angles.h"
+#include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/layout/poisson_layout.h"
 #include "cirque/layout/seams.h"
-#include "cirque/layout/snap_seams.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"

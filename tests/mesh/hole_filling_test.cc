@@ -1,11 +1,10 @@
-#include "cirque/mesh/hole_filling.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/preflight.h"
 
 #include "tests/common/surfaces.h"

@@ -1,8 +1,8 @@
-#include "cirque/mesh/puncture.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
+
+#include "cirque/mesh/holes.h"
 
 #include "tests/common/surfaces.h"
 

@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "cirque/generators/periodic_delaunay.h"
+#include "cirque/generators/planar_delaunay.h"
 #include "cirque/intrinsic/flip_complex.h"
-#include "cirque/mesh/gluing.h"
+#include "cirque/mesh/assembly.h"
 
 namespace cirque::testing {
 

@@ -1,10 +1,9 @@
-#include "cirque/mesh/subdivision.h"
-
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "cirque/generators/generators.h"
 #include "cirque/intrinsic/corner_angles.h"
+#include "cirque/mesh/surface.h"
 
 #include "tests/common/surfaces.h"
 

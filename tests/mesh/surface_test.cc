@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/intrinsic/corner_angles.h"
-
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
 
@@ -15,17 +13,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-/// One triangle of these sides; side k lies opposite corner k.
-CornerAngles AnglesOfSides(double a, double b, double c) {
-  const Surface surface = SurfaceOf(testing::OneTriangle());
-  EdgeLengths lengths;
-  lengths.value.resize(3);
-  for (int k = 0; k < 3; ++k) {
-    lengths.value[surface.triangulation.edge[k]] = k == 0 ? a : (k == 1 ? b : c);
-  }
-  return MeasureCornerAngles(surface.triangulation, lengths);
-}
 
 TEST(Surface, EdgeLengthsAreEuclideanAtEveryScale) {
   for (const double scale : {1e-200, 1.0, 1e200}) {
@@ -39,52 +26,6 @@ TEST(Surface, EdgeLengthsAreEuclideanAtEveryScale) {
     EXPECT_DOUBLE_EQ(at(1), 5);
     EXPECT_DOUBLE_EQ(at(2), 3);
   }
-}
-
-TEST(CornerAngles, AreThoseOfKnownTriangles) {
-  const CornerAngles equilateral = AnglesOfSides(2, 2, 2);
-  for (int k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(equilateral.value[k], kPi / 3);
-  const CornerAngles right = AnglesOfSides(3, 5, 4);
-  EXPECT_DOUBLE_EQ(right.value[0], std::atan2(3, 4));
-  EXPECT_DOUBLE_EQ(right.value[1], kPi / 2);
-  EXPECT_DOUBLE_EQ(right.value[2], std::atan2(4, 3));
-}
-
-TEST(CornerAngles, AreAccurateForNeedlesAtEveryScale) {
-  for (const double scale : {0x1p-900, 1.0, 0x1p900}) {
-    // Two equal sides and a short one: 2 asin(c / 2a) at the tip, where c/a is tiny.
-    const CornerAngles needle = AnglesOfSides(scale, scale, 1e-12 * scale);
-    EXPECT_NEAR(needle.value[2], 1e-12, 1e-27);
-    EXPECT_DOUBLE_EQ(needle.value[0], kPi / 2 - 5e-13);
-    // Almost flat: sides 1, 1, 2 - d with exactly representable d; the angle at the top is
-    // pi - 2 acos(1 - d/2), and acos(1 - x) = sqrt(2 x) (1 + x / 12 + ...).
-    const double d = 0x1p-40;
-    const CornerAngles flat = AnglesOfSides(scale, scale, (2 - d) * scale);
-    EXPECT_NEAR(flat.value[0] / (std::sqrt(d) * (1 + d / 24)), 1, 1e-15);
-    EXPECT_DOUBLE_EQ(flat.value[0], flat.value[1]);
-    EXPECT_DOUBLE_EQ(flat.value[2], kPi - 2 * flat.value[0]);
-  }
-}
-
-TEST(CornerAngles, WithoutTheTriangleInequalityTheLongestEdgeFacesPi) {
-  const auto expect_flat = [](const CornerAngles& angles) {
-    EXPECT_EQ(angles.value, Eigen::Vector3d(0, kPi, 0));
-  };
-  expect_flat(AnglesOfSides(1, 3, 1.5));
-  expect_flat(AnglesOfSides(1, 2, 1));  // equality: no triangle either
-  expect_flat(AnglesOfSides(0, 1, 0));
-}
-
-TEST(CornerAngles, OfAClosedSurfaceSumToPiAFace) {
-  const Surface surface = SurfaceOf(testing::Torus());
-  const CornerAngles angles =
-      MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
-  double least = kPi;
-  for (Index h = 0; h < angles.value.size(); h += 3) {
-    EXPECT_NEAR(angles.value.segment<3>(h).sum(), kPi, 1e-15 * 8);
-    least = std::min(least, angles.value.segment<3>(h).minCoeff());
-  }
-  EXPECT_GT(least, 0.1);
 }
 
 TEST(AttachUv, WritesEachUvOfAVertexOnce) {

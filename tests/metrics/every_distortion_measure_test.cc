@@ -1,12 +1,12 @@
-// What holds for every registered metric, on maps that are conformal, distorted, flipped, folded
-// and torn.
+// What holds for every registered distortion measure, on maps that are conformal, distorted,
+// flipped, folded and torn.
 #include <cmath>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/metrics/registry.h"
+#include "cirque/metrics/distortion_measure.h"
 
 #include "tests/metrics/maps.h"
 
@@ -63,20 +63,20 @@ class EveryDistortionMeasure : public testing::TestWithParam<std::string> {
   }
 
   /// The figures agree, up to the power of `scale` that each is documented to grow with.
-  void ExpectSameFigures(const Measurement& wanted, const Measurement& found, double scale = 1) {
+  void ExpectSameFigures(const Measurement& expected, const Measurement& found, double scale = 1) {
     ASSERT_EQ(found.figures.size(), measure_.figures.size());
     for (std::size_t i = 0; i < measure_.figures.size(); ++i) {
-      const double value = wanted.figures[i] * std::pow(scale, measure_.figures[i].length_power);
+      const double value = expected.figures[i] * std::pow(scale, measure_.figures[i].length_power);
       EXPECT_TRUE(std::isfinite(value));
       EXPECT_NEAR(found.figures[i], value, kSmall * (1 + std::abs(value)))
           << measure_.figures[i].name;
     }
   }
 
-  void ExpectSameFaceValues(const Measurement& wanted, const Measurement& found) {
-    ASSERT_EQ(found.face_values.size(), wanted.face_values.size());
-    for (Eigen::Index f = 0; f < wanted.face_values.size(); ++f) {
-      const double value = wanted.face_values[f];
+  void ExpectSameFaceValues(const Measurement& expected, const Measurement& found) {
+    ASSERT_EQ(found.face_values.size(), expected.face_values.size());
+    for (Eigen::Index f = 0; f < expected.face_values.size(); ++f) {
+      const double value = expected.face_values[f];
       EXPECT_NEAR(found.face_values[f], value, kSmall * (1 + std::abs(value))) << f;
     }
   }
@@ -94,9 +94,9 @@ TEST_P(EveryDistortionMeasure, ScaleOfTheSurfaceMattersAsDocumented) {
     SCOPED_TRACE(sample.name);
     TestMap scaled = sample.map;
     scaled.lengths.value *= 37;
-    const Measurement wanted = MeasureBy(sample.map), found = MeasureBy(scaled);
-    ExpectSameFigures(wanted, found, 37);
-    ExpectSameFaceValues(wanted, found);
+    const Measurement expected = MeasureBy(sample.map), found = MeasureBy(scaled);
+    ExpectSameFigures(expected, found, 37);
+    ExpectSameFaceValues(expected, found);
   }
 }
 
@@ -109,23 +109,57 @@ TEST_P(EveryDistortionMeasure, ScalePlaceAndTurnOfTheImageDoNotMatter) {
     TestMap moved = sample.map, mirrored = sample.map;
     for (Vector2d& p : moved.uv.value) p = 0.03 * (turn * p) + Vector2d(2, -5);
     for (Vector2d& p : mirrored.uv.value) p.x() = -p.x();
-    const Measurement wanted = MeasureBy(sample.map);
-    ExpectSameFigures(wanted, MeasureBy(moved));
-    ExpectSameFaceValues(wanted, MeasureBy(moved));
-    ExpectSameFigures(wanted, MeasureBy(mirrored));
+    const Measurement expected = MeasureBy(sample.map);
+    ExpectSameFigures(expected, MeasureBy(moved));
+    ExpectSameFaceValues(expected, MeasureBy(moved));
+    ExpectSameFigures(expected, MeasureBy(mirrored));
   }
 }
 
 TEST_P(EveryDistortionMeasure, MidpointSubdivisionLeavesThePiecewiseLinearMapAsItIs) {
   for (const Sample& sample : Samples()) {
     SCOPED_TRACE(sample.name);
-    const Measurement wanted = MeasureBy(sample.map);
+    const Measurement expected = MeasureBy(sample.map);
     const Measurement found = MeasureBy(Subdivided(sample.surface, sample.map.uv));
-    ExpectSameFigures(wanted, found);
+    ExpectSameFigures(expected, found);
     for (Eigen::Index f = 0; f < found.face_values.size(); ++f) {
-      const double value = wanted.face_values[f / 4];
+      const double value = expected.face_values[f / 4];
       EXPECT_NEAR(found.face_values[f], value, kSmall * (1 + std::abs(value))) << f;
     }
+  }
+}
+
+/// The map with its faces in reverse order, every face from its second corner on, and its vertices
+/// numbered backwards.
+TestMap Renumbered(const TestMap& map) {
+  const Triangulation& t = map.triangulation;
+  const auto moved = [&](Index h) {
+    return h == kNone ? kNone : 3 * (t.num_faces() - 1 - h / 3) + (h + 2) % 3;
+  };
+  std::vector<Index> vertex(t.num_halfedges()), twin(t.num_halfedges());
+  TestMap result;
+  result.uv.value.resize(t.num_halfedges());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    vertex[moved(h)] = t.num_vertices - 1 - t.vertex[h];
+    twin[moved(h)] = moved(t.twin[h]);
+    result.uv.value[moved(h)] = map.uv.value[h];
+  }
+  result.triangulation = NumberEdges(t.num_vertices, vertex, twin);
+  result.lengths.value.resize(t.num_edges());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    result.lengths.value[result.triangulation.edge[moved(h)]] = map.lengths.value[t.edge[h]];
+  }
+  return result;
+}
+
+TEST_P(EveryDistortionMeasure, NumberingDoesNotMatter) {
+  for (const Sample& sample : Samples()) {
+    SCOPED_TRACE(sample.name);
+    const Measurement expected = MeasureBy(sample.map);
+    Measurement found = MeasureBy(Renumbered(sample.map));
+    found.face_values.reverseInPlace();
+    ExpectSameFigures(expected, found);
+    ExpectSameFaceValues(expected, found);
   }
 }
 
@@ -164,7 +198,7 @@ TEST_P(EveryDistortionMeasure, SaysWhatItMeasures) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryDistortionMeasure,
                          testing::ValuesIn(DistortionMeasures().Names()),
-                         [](const auto& metric) { return metric.param; });
+                         [](const auto& measure) { return measure.param; });
 
 TEST(DistortionMeasures, FiguresHaveNamesOfTheirOwn) {
   const std::vector<std::string> names = FigureNames();

@@ -25,7 +25,7 @@ TEST(Injectivity, FlatFanIsInjective) {
   EXPECT_EQ(FindBoundaryContact(fan.triangulation, UvOf(fan)), BoundaryContact::kApart);
 }
 
-TEST(Injectivity, CollapsedAndMirroredFacesAreFlipped) {
+TEST(Injectivity, CollapsedAndReflectedFacesAreFlipped) {
   const Surface fan = Fan(6, 0);
   CornerUv uv = UvOf(fan);
   MoveVertex(fan, 0, fan.position[1].head<2>(),

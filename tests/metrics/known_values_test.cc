@@ -123,11 +123,11 @@ TEST(KnownValues, ExtremeUnitsAndNeedlesDoNotHurt) {
   const Triangle needle = {{{0, 0}, {1, 0}, {1, 1e-12}}};
   TestMap map = LooseTriangles({needle}, {needle});
   for (Vector2d& p : map.uv.value) p.y() *= 2;
-  const double wanted = map.Measure().ValueOf("quasi_conformal_max");
-  EXPECT_NEAR(wanted, 2, 1e-9);
+  const double expected = map.Measure().ValueOf("quasi_conformal_max");
+  EXPECT_NEAR(expected, 2, 1e-9);
   map.lengths.value *= 0x1p+600;
   for (Vector2d& p : map.uv.value) p *= 0x1p-600;
-  EXPECT_EQ(map.Measure().ValueOf("quasi_conformal_max"), wanted);
+  EXPECT_EQ(map.Measure().ValueOf("quasi_conformal_max"), expected);
 }
 
 TEST(KnownValues, AnglesKnownBetterThanFromLengthsAreUsed) {

@@ -9,7 +9,6 @@
 
 #include "cirque/core/text.h"
 #include "cirque/io/io.h"
-#include "cirque/metrics/colour_scale.h"
 
 #include "tests/common/run_program.h"
 #include "tests/metrics/maps.h"
@@ -48,7 +47,7 @@ TEST(MeasureFiles, ListsAreReadOrRefusedWithTheReason) {
   EXPECT_THAT(ParseMeasureFiles("a.ply:log_area_ration").status().message(),
               HasSubstr("did you mean 'log_area_ratio'?"));
   EXPECT_THAT(ParseMeasureFiles("a.ply:overlap").status().message(),
-              HasSubstr("unknown metric with face values 'overlap'"));
+              HasSubstr("unknown distortion measure with face values 'overlap'"));
 }
 
 TEST(MeasureFiles, CsvHasARowPerFaceAndNoNaN) {

@@ -7,7 +7,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/generators/generators.h"
-#include "cirque/metrics/similarity.h"
+#include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cirque/generators/known_maps.h"
-#include "cirque/metrics/similarity.h"
+#include "cirque/metrics/measure_map.h"
 
 namespace cirque {
 namespace {

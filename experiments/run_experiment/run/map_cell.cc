@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cirque/domains/domain.h"
+#include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_map.h"
-#include "cirque/metrics/spherical.h"
 
 #include "experiments/common/sphere_files.h"
 #include "experiments/run_experiment/run/known_map.h"

@@ -5,7 +5,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/mesh/subdivision.h"
+#include "cirque/mesh/surface.h"
 
 #include "experiments/common/resource_use.h"
 #include "experiments/run_experiment/run/map_cell.h"

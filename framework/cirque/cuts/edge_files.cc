@@ -13,8 +13,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/atomic_file.h"
-#include "cirque/io/file_content.h"
-#include "cirque/io/text_scanner.h"
+#include "cirque/io/file_input.h"
 
 namespace cirque {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/layout/convex_embedding.h"
+#include "cirque/layout/linear_layout.h"
 #include "cirque/metrics/injectivity.h"
 
 namespace cirque {

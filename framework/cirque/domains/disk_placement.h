@@ -4,7 +4,7 @@
 
 #include "cirque/domains/domain.h"
 #include "cirque/domains/half_plane_chart.h"
-#include "cirque/layout/disk_positions.h"
+#include "cirque/layout/half_plane.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

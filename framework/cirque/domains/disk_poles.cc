@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/mesh/sub_triangulation.h"
+#include "cirque/mesh/holes.h"
 
 namespace cirque {
 namespace {

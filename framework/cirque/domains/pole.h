@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cirque/intrinsic/intrinsic_delaunay.h"
-#include "cirque/mesh/puncture.h"
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

@@ -4,7 +4,7 @@
 
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/metric.h"
-#include "cirque/mesh/sub_triangulation.h"
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

@@ -10,9 +10,9 @@
 #include "cirque/domains/pole.h"
 #include "cirque/domains/sphere_measures.h"
 #include "cirque/domains/sphere_normalization.h"
+#include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/layout/poisson_layout.h"
-#include "cirque/metrics/spherical.h"
+#include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/flatten.h"
 
 namespace cirque {

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "cirque/metrics/injectivity.h"
+#include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_map.h"
-#include "cirque/metrics/spherical.h"
 
 namespace cirque {
 

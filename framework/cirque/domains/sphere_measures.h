@@ -4,7 +4,7 @@
 
 #include "cirque/core/infeasibility.h"
 #include "cirque/domains/domain.h"
-#include "cirque/mesh/puncture.h"
+#include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

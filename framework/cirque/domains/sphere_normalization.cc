@@ -12,8 +12,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-#include "cirque/layout/log_scale_normalization.h"
-#include "cirque/layout/lorentz_normalization.h"
+#include "cirque/layout/moebius_normalization.h"
 
 namespace cirque {
 namespace {

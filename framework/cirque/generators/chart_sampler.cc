@@ -58,7 +58,7 @@ void ChartSampler::Measure() {
 std::vector<Eigen::Vector3d> ChartSampler::LiftedLine(int i) const {
   std::vector<Eigen::Vector3d> line;
   for (int j = 0; j <= kGrid; ++j) {
-    line.push_back(chart_.lift(chart_.place(i / double{kGrid}, j / double{kGrid})));
+    line.push_back(chart_.lift(chart_.position(i / double{kGrid}, j / double{kGrid})));
   }
   return line;
 }
@@ -66,7 +66,7 @@ std::vector<Eigen::Vector3d> ChartSampler::LiftedLine(int i) const {
 Eigen::Vector2d ChartSampler::Transport(double s, double t) const {
   const double a = Quantile(rows_, s);
   const auto row = static_cast<std::size_t>(std::min(a, kGrid - 1.));
-  return chart_.place(a / kGrid, Quantile(cells_[row], t) / kGrid);
+  return chart_.position(a / kGrid, Quantile(cells_[row], t) / kGrid);
 }
 
 std::vector<Eigen::Vector2d> ChartSampler::Boundary(double edge_length) {

@@ -8,7 +8,7 @@
 #include "cirque/generators/chart_sampler.h"
 #include "cirque/generators/generator_table.h"
 #include "cirque/generators/known_maps.h"
-#include "cirque/generators/periodic_delaunay.h"
+#include "cirque/generators/planar_delaunay.h"
 #include "cirque/generators/surface_chart.h"
 
 namespace cirque {
@@ -38,7 +38,7 @@ SurfaceChart SphereChart(const std::function<double(const Vector3d&)>& radius) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const ConformalMap map = StereographicMap();
   SurfaceChart chart;
-  chart.place = [](double a, double b) -> Vector2d {
+  chart.position = [](double a, double b) -> Vector2d {
     return std::tan(a * kPi / 2) * Vector2d(std::cos(2 * kPi * b), std::sin(2 * kPi * b));
   };
   chart.lift = [map, radius](const Vector2d& w) -> Vector3d {
@@ -59,7 +59,7 @@ SurfaceChart TorusChart() {
   const ConformalMap map = TorusMap();
   const Vector2d periods = TorusPeriods();
   SurfaceChart chart;
-  chart.place = [periods](double a, double b) {
+  chart.position = [periods](double a, double b) {
     return Vector2d((a - 0.5) * periods.x(), (b - 0.5) * periods.y());
   };
   chart.lift = map.to_surface;

@@ -58,8 +58,8 @@ Vector3d PlaneToCatenoid(const Vector2d& w) {
   return {xy.x(), xy.y(), z};
 }
 
-/// ds/dq integrates to s = 2 k atan(m tan(q/2)), with k = r / sqrt(R^2 - r^2) and
-/// m = sqrt((R - r) / (R + r)).
+/// ds/dq integrates to
+///   s = 2 k atan(m tan(q/2)),   k = r / sqrt(R^2 - r^2),   m = sqrt((R - r) / (R + r)).
 constexpr double kBig = kTorusMajorRadius, kSmall = kTorusMinorRadius;
 double TorusScale() { return kSmall / std::sqrt(kBig * kBig - kSmall * kSmall); }
 double TorusSkew() { return std::sqrt((kBig - kSmall) / (kBig + kSmall)); }

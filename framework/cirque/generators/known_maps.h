@@ -24,20 +24,24 @@ ConformalMap IdentityMap();
 /// disk.
 ConformalMap StereographicMap();
 
-/// Enneper's minimal surface (u - u^3/3 + u v^2, v - v^3/3 + u^2 v, u^2 - v^2) onto its parameters
-/// (u, v), |(u, v)| <= 1; the metric is (1 + u^2 + v^2)^2 (du^2 + dv^2).
+/// Enneper's minimal surface onto its parameters, |(u, v)| <= 1,
+///   (u - u^3/3 + u v^2, v - v^3/3 + u^2 v, u^2 - v^2) -> (u, v);
+/// the metric is (1 + u^2 + v^2)^2 (du^2 + dv^2).
 ConformalMap EnneperMap();
 
 /// The northern unit hemisphere with the unit cylinder below its equator: stereographic on the
-/// cap; the cylinder's point (cos p, sin p, z), z < 0, goes to e^-z (cos p, sin p).
+/// cap; on the cylinder, z < 0,
+///   (cos p, sin p, z) -> e^-z (cos p, sin p).
 ConformalMap CappedTubeMap();
 
-/// The catenoid (cosh z cos p, cosh z sin p, z) to e^-z (cos p, sin p).
+/// The catenoid:
+///   (cosh z cos p, cosh z sin p, z) -> e^-z (cos p, sin p).
 ConformalMap CatenoidMap();
 
-/// The torus ((R + r cos q) cos p, (R + r cos q) sin p, r sin q), R = 1, r = 0.4, to (p, s) with
-/// ds = r dq / (R + r cos q), both counted modulo their periods from -half to half: a rectangle of
-/// 2 pi times 2 pi r / sqrt(R^2 - r^2), ratio sqrt((R/r)^2 - 1).
+/// The torus, R = 1, r = 0.4:
+///   ((R + r cos q) cos p, (R + r cos q) sin p, r sin q) -> (p, s),   ds = r dq / (R + r cos q),
+/// both counted modulo their periods from -half to half: a rectangle of 2 pi times
+/// 2 pi r / sqrt(R^2 - r^2), of ratio sqrt((R/r)^2 - 1).
 ConformalMap TorusMap();
 inline constexpr double kTorusMajorRadius = 1, kTorusMinorRadius = 0.4;
 /// The periods (2 pi, 2 pi r / sqrt(R^2 - r^2)) of TorusMap.

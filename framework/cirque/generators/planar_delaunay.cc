@@ -1,9 +1,11 @@
 #include "cirque/generators/planar_delaunay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "cirque/generators/hilbert_order.h"
 #include "cirque/math/predicates.h"
@@ -57,7 +59,7 @@ class Insertion {
  private:
   struct Face {
     Triangle corner;
-    std::array<Index, 3> neighbor;  ///< opposite the corner of the same place
+    std::array<Index, 3> neighbor;  ///< opposite the corner of the same slot
     Index taken_by;                 ///< the point whose cavity took this face last
   };
 
@@ -141,7 +143,7 @@ class Insertion {
       const Index f = reuse ? cavity_[i] : static_cast<Index>(faces_.size());
       if (!reuse) faces_.emplace_back();
       faces_[f] = {{tail, tip, p}, {kNone, kNone, beyond}, kNone};
-      faces_[beyond].neighbor[PlaceOpposite(beyond, tip, tail)] = f;
+      faces_[beyond].neighbor[SlotOpposite(beyond, tip, tail)] = f;
       face_from_[tail] = f;
       if (tail != ghost_ && tip != ghost_) latest_ = f;
     }
@@ -152,7 +154,7 @@ class Insertion {
     }
   }
 
-  int PlaceOpposite(Index f, Index tail, Index tip) const {
+  int SlotOpposite(Index f, Index tail, Index tip) const {
     const Triangle& corner = faces_[f].corner;
     int k = 0;
     while (corner[(k + 1) % 3] != tail || corner[(k + 2) % 3] != tip) ++k;
@@ -187,8 +189,8 @@ Status Coincidence(Index i, Index j) {
       fmt::format("points {} and {} coincide; merge them", std::min(i, j), std::max(i, j)));
 }
 
-/// Moves to place 2 the first point in the order that is off the line of the first two, and swaps
-/// those where needed: the first three then form a counter-clockwise triangle.
+/// Moves to position 2 the first point in the order that is off the line of the first two, and
+/// swaps those where needed: the first three then form a counter-clockwise triangle.
 Status LeadWithTriangle(const Points& points, std::vector<Index>* order) {
   std::vector<Index>& o = *order;
   if (points[o[0]] == points[o[1]]) return Coincidence(o[0], o[1]);
@@ -224,6 +226,64 @@ StatusOr<std::vector<Triangle>> PlanarDelaunay(const Points& points) {
   std::erase_if(*triangles,
                 [](const Triangle& t) { return std::find(t.begin(), t.end(), kNone) != t.end(); });
   return triangles;
+}
+
+std::vector<Triangle> TriangulateHull(const std::vector<Eigen::Vector2d>& points) {
+  auto triangles = PlanarDelaunay(points);
+  CHECK(triangles.ok()) << triangles.status().message();
+  return *std::move(triangles);
+}
+
+namespace {
+
+/// How far around the cell translates are added, in mean distances of points: every circle that
+/// decides about a triangle at the cell must lie within.
+constexpr double kMargin = 10;
+
+/// Points of the plane that cover a cell and a margin around it; the cell's own come first.
+struct Covering {
+  std::vector<Eigen::Vector2d> point;
+  std::vector<Index> original;
+};
+
+Covering Cover(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& periods) {
+  const double distance = std::sqrt(periods.prod() / static_cast<double>(points.size()));
+  const Eigen::Vector2d reach =
+      periods / 2 + periods.cwiseMin(Eigen::Vector2d::Constant(kMargin * distance));
+  const auto count = static_cast<Index>(points.size());
+  Covering covering{points, {}};
+  for (Index v = 0; v < count; ++v) covering.original.push_back(v);
+  for (Index v = 0; v < count; ++v) {
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = -1; j <= 1; ++j) {
+        const Eigen::Vector2d moved = points[v] + Eigen::Vector2d(i, j).cwiseProduct(periods);
+        if ((i == 0 && j == 0) || (moved.cwiseAbs().array() > reach.array()).any()) continue;
+        covering.point.push_back(moved);
+        covering.original.push_back(v);
+      }
+    }
+  }
+  return covering;
+}
+
+}  // namespace
+
+std::vector<Triangle> PeriodicDelaunay(const std::vector<Eigen::Vector2d>& points,
+                                       const Eigen::Vector2d& periods) {
+  const Covering covering = Cover(points, periods);
+  const auto count = static_cast<Index>(points.size());
+  std::vector<Triangle> representatives;
+  for (const Triangle& triangle : TriangulateHull(covering.point)) {
+    // Of the translates, the one whose least-numbered corner is the cell's own.
+    const Index least = *std::min_element(triangle.begin(), triangle.end(), [&](Index i, Index j) {
+      return covering.original[i] < covering.original[j];
+    });
+    if (least >= count) continue;
+    Triangle& kept = representatives.emplace_back();
+    std::transform(triangle.begin(), triangle.end(), kept.begin(),
+                   [&](Index v) { return covering.original[v]; });
+  }
+  return representatives;
 }
 
 }  // namespace cirque

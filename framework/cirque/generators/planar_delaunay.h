@@ -30,4 +30,14 @@ StatusOr<std::vector<Triangle>> PlanarDelaunay(const std::vector<Eigen::Vector2d
 /// stand first, second or third.
 StatusOr<std::vector<Triangle>> ClosedPlanarDelaunay(const std::vector<Eigen::Vector2d>& points);
 
+/// PlanarDelaunay for points that are known to have a triangulation.
+std::vector<Triangle> TriangulateHull(const std::vector<Eigen::Vector2d>& points);
+
+/// The Delaunay triangulation of the flat torus of the given periods: of points in the cell
+/// [-period / 2, period / 2]^2 and all their translates, one triangle of each class. Needs points
+/// spread over the whole cell, so densely that every circumradius is below a few mean distances of
+/// points and no triangle meets a translate of itself; a few hundred even ones will do.
+std::vector<Triangle> PeriodicDelaunay(const std::vector<Eigen::Vector2d>& points,
+                                       const Eigen::Vector2d& periods);
+
 }  // namespace cirque

@@ -11,7 +11,7 @@ namespace {
 /// A chart of the square [-1, 1]^2, without lift, flatten and spacing.
 SurfaceChart SquareChart() {
   SurfaceChart chart;
-  chart.place = [](double a, double b) { return Eigen::Vector2d(2 * a - 1, 2 * b - 1); };
+  chart.position = [](double a, double b) { return Eigen::Vector2d(2 * a - 1, 2 * b - 1); };
   chart.boundary = {
       [](double t) { return Eigen::Vector2d(2 * t - 1, -1); },
       [](double t) { return Eigen::Vector2d(1, 2 * t - 1); },

@@ -26,7 +26,7 @@ Eigen::Vector2d OnCircle(double radius, double turns) {
 SurfaceChart DiskChart(const ConformalMap& map, const std::function<double(double)>& radius,
                        double rim) {
   SurfaceChart chart;
-  chart.place = [radius](double a, double b) { return OnCircle(radius(a), b); };
+  chart.position = [radius](double a, double b) { return OnCircle(radius(a), b); };
   chart.lift = map.to_surface;
   chart.flatten = map.to_plane;
   const double outer = radius(1);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <glog/logging.h>
 
 #include "cirque/generators/chart_sampler.h"
 
@@ -63,12 +62,6 @@ PolygonSoup MeshChart(const SurfaceChart& chart, const GeneratorOptions& options
   std::vector<Eigen::Vector3d> position(points.size());
   std::transform(points.begin(), points.end(), position.begin(), chart.lift);
   return SoupOfTriangles(position, chart.triangulate(points));
-}
-
-std::vector<Triangle> TriangulateHull(const std::vector<Eigen::Vector2d>& points) {
-  auto triangles = PlanarDelaunay(points);
-  CHECK(triangles.ok()) << triangles.status().message();
-  return *std::move(triangles);
 }
 
 PolygonSoup SoupOfTriangles(const std::vector<Eigen::Vector3d>& position,

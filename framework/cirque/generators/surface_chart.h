@@ -17,7 +17,7 @@ inline constexpr double kClearance = 0.3;
 /// Triangles are made in the plane, so a conformal chart gives the roundest ones.
 struct SurfaceChart {
   /// The unit square onto the surface's part of the plane.
-  std::function<Eigen::Vector2d(double, double)> place;
+  std::function<Eigen::Vector2d(double, double)> position;
   /// The plane onto the surface.
   std::function<Eigen::Vector3d(const Eigen::Vector2d&)> lift;
   /// From a point near the surface back to the plane, for points on it the inverse of lift.
@@ -46,9 +46,6 @@ struct SurfaceChart {
 /// numbers, as in a scan; faces are in no special order. The number of triangles is what was asked
 /// for or one less, unless boundary pieces with their least number of vertices leave no interior.
 PolygonSoup MeshChart(const SurfaceChart& chart, const GeneratorOptions& options);
-
-/// PlanarDelaunay for points that are known to have a triangulation.
-std::vector<Triangle> TriangulateHull(const std::vector<Eigen::Vector2d>& points);
 
 /// Triangles and their points as a soup; points are renumbered as the triangles first name them.
 PolygonSoup SoupOfTriangles(const std::vector<Eigen::Vector3d>& position,

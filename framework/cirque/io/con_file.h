@@ -12,15 +12,15 @@ namespace cirque {
 /// CON, the file of an intrinsic metric: connectivity and edge lengths, no points. Text; '#' starts
 /// a comment.
 ///
-///   V F                                     numbers of vertices and faces
-///   f v0 v1 v2 l0 l1 l2 n0 n1 n2            F lines, one a face
+///   V F                             numbers of vertices and faces
+///   f v0 v1 v2 l0 l1 l2 n0 n1 n2    F lines, one a face
 ///
-/// v_k  the vertex at corner k, counted from 1, counter-clockwise;
-/// l_k  the length of side k, which lies opposite corner k and so runs from v_(k+1) to v_(k+2);
-/// n_k  the side of another (or the same) face that side k is glued to, 0 on the boundary: sides
-/// are
-///      numbered 1, 2, ..., 3 F in the order of the faces, so side k of the i-th face has number
-///      3 (i - 1) + k + 1. Two faces can share several sides, so their numbers would not do.
+///   v_k   the vertex at corner k, counted from 1, counter-clockwise;
+///   l_k   the length of side k, which lies opposite corner k and so runs from v_(k+1) to v_(k+2);
+///   n_k   the side of another (or the same) face that side k is glued to, 0 on the boundary.
+///
+/// Sides are numbered 1, 2, ..., 3 F in the order of the faces, so side k of the i-th face has
+/// number 3 (i - 1) + k + 1. Two faces can share several sides, so their numbers would not do.
 ///
 /// L. Kharevych's thesis has the numbers of vertices and faces and, for each face, three vertices
 /// and three lengths, in an order that it does not define. Reading therefore takes lines without

@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/io/file_content.h"
-#include "cirque/io/text_scanner.h"
+#include "cirque/io/file_input.h"
 
 namespace cirque {
 namespace {

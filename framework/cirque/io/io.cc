@@ -10,14 +10,11 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/registry.h"
 #include "cirque/core/text.h"
-#include "cirque/io/file_content.h"
-#include "cirque/io/obj_reader.h"
-#include "cirque/io/obj_writer.h"
-#include "cirque/io/off_reader.h"
-#include "cirque/io/off_writer.h"
-#include "cirque/io/ply_reader.h"
-#include "cirque/io/ply_writer.h"
-#include "cirque/io/stl_reader.h"
+#include "cirque/io/file_input.h"
+#include "cirque/io/obj.h"
+#include "cirque/io/off.h"
+#include "cirque/io/ply.h"
+#include "cirque/io/stl.h"
 
 namespace cirque {
 namespace {

@@ -5,9 +5,10 @@
 #include <string_view>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/parallel.h"
-#include "cirque/io/polygon_soup.h"
 
 namespace cirque {
 
@@ -63,9 +64,5 @@ class TextWriter {
   TextPieces pieces_;
   std::string text_;
 };
-
-/// The body that OFF and PLY share: a line of coordinates a vertex, then a line a polygon, its
-/// number of corners and their vertices counted from 0.
-void WritePointsAndPolygons(const PolygonSoup& mesh, TextWriter* out);
 
 }  // namespace cirque

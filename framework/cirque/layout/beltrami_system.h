@@ -9,10 +9,26 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/layout/seam_constraints.h"
+#include "cirque/layout/seams.h"
 #include "cirque/linear/hermitian_cholesky.h"
 
 namespace cirque {
+
+/// That the two sides of every edge on a seam differ by the seam's rotation: of four vertices of
+/// the opened surface, (z_0 - z_1) - e^{i rotation} (z_2 - z_3) = 0.
+struct SeamConstraint {
+  std::array<Index, 4> vertex;  ///< right tip, right tail, left tip, left tail
+  std::array<std::complex<double>, 4> factor;
+  Index left_face, right_face;
+
+  /// The left side of the equation at z.
+  std::complex<double> operator()(const Eigen::VectorXcd& z) const;
+};
+
+/// One for every edge of the seams. `open`: the surface cut open, of the same halfedges.
+std::vector<SeamConstraint> SeamConstraints(const Triangulation& triangulation,
+                                            const Triangulation& open,
+                                            const std::vector<Seam>& seams);
 
 /// The mean of an objective over the faces of a map z (a complex number per vertex) of a surface,
 /// weighted by their areas, and the Hermitian matrices of its Gauss-Newton steps. Faces without

@@ -14,11 +14,13 @@ struct MapObjective {
   std::function<double(double m)> weight;  ///< value'(m) / m, finite and positive also at 0
 };
 
-/// - `mips`: the ratio q of the singular values plus 1/q minus 2, that is 4 m^2 / (1 - m^2)
-///   (Hormann, Greiner, MIPS: an efficient global parametrization method, 2000): smooth, and hard
-///   on the worst triangles
-/// - `quasi_conformal`: q - 1 = 2 m / (1 - m), whose mean is what programs are compared by; rounded
-///   off below m = 1e-4. It converges slowly, and lets single triangles go.
+/// With q the ratio of the singular values:
+///
+///   mips               q + 1/q - 2 = 4 m^2 / (1 - m^2) (K. Hormann, G. Greiner, "MIPS: an
+///                      efficient global parametrization method", 2000): smooth, and hard on the
+///                      worst triangles;
+///   quasi_conformal    q - 1 = 2 m / (1 - m), whose mean is what programs are compared by; rounded
+///                      off below m = 1e-4. It converges slowly, and lets single triangles go.
 const Registry<MapObjective>& MapObjectives();
 
 }  // namespace cirque

@@ -17,7 +17,7 @@ struct PackingOptions {
 
 /// Patches side by side in the unit square.
 struct Packing {
-  CornerUv uv;
+  CornerUv uv;                             ///< 3F, in [0, 1]^2
   std::vector<Eigen::AlignedBox2d> boxes;  ///< per patch; they do not touch
   double scale = 1;                        ///< of all patches, so that areas stay comparable
 };

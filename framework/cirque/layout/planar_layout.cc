@@ -1,12 +1,87 @@
 #include "cirque/layout/planar_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 
 namespace cirque {
+namespace {
+
+/// Walks over the faces, breadth first within each patch.
+class DirectionWalk {
+ public:
+  DirectionWalk(const Triangulation& open, const CornerAngles& angles)
+      : t_(open),
+        angles_(angles),
+        direction_(open.num_halfedges()),
+        placed_(open.num_faces(), false) {}
+
+  Eigen::VectorXd Walk() {
+    for (Index f = 0; f < t_.num_faces(); ++f) {
+      if (placed_[f]) continue;
+      queue_.clear();
+      Place(3 * f, 0);
+      for (std::size_t head = 0; head < queue_.size(); ++head) PlaceNeighbours(queue_[head]);
+    }
+    return std::move(direction_);
+  }
+
+ private:
+  void Place(Index h, double towards) {
+    placed_[Triangulation::Face(h)] = true;
+    queue_.push_back(Triangulation::Face(h));
+    for (int k = 0; k < 3; ++k) {
+      direction_[h] = towards;
+      towards += kPi - angles_.value[Triangulation::Prev(h)];
+      h = Triangulation::Next(h);
+    }
+  }
+
+  void PlaceNeighbours(Index face) {
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const Index g = t_.twin[h];
+      if (g != kNone && !placed_[Triangulation::Face(g)]) {
+        Place(g, std::remainder(direction_[h] + kPi, 2 * kPi));
+      }
+    }
+  }
+
+  const Triangulation& t_;
+  const CornerAngles& angles_;
+  Eigen::VectorXd direction_;
+  std::vector<bool> placed_;
+  std::vector<Index> queue_;
+};
+
+}  // namespace
+
+Eigen::Vector2d OpenSurface::TargetVector(Index h) const {
+  return lengths.value[triangulation.edge[h]] *
+         Eigen::Vector2d(std::cos(direction[h]), std::sin(direction[h]));
+}
+
+EdgeLengths OpenedLengths(const Triangulation& t, const EdgeLengths& lengths,
+                          const Triangulation& open) {
+  EdgeLengths opened{Eigen::VectorXd(open.num_edges())};
+  for (Index e = 0; e < open.num_edges(); ++e) {
+    opened.value[e] = lengths.value[t.edge[open.edge_halfedge[e]]];
+  }
+  return opened;
+}
+
+OpenSurface OpenWithDirections(const Triangulation& t, const CornerAngles& flat_angles,
+                               const EdgeLengths& lengths, const Cut& cut) {
+  OpenSurface open;
+  open.triangulation = CutOpen(t, cut);
+  open.patches = ConnectedPatches(open.triangulation);
+  open.direction = DirectionWalk(open.triangulation, flat_angles).Walk();
+  open.lengths = OpenedLengths(t, lengths, open.triangulation);
+  return open;
+}
+
 namespace {
 
 /// Kruskal's minimum spanning tree of every patch, its edges as a graph in compressed rows.
@@ -54,10 +129,11 @@ class Placement {
   explicit Placement(const OpenSurface& open)
       : t_(open.triangulation),
         forest_(t_, open.lengths),
-        wanted_(t_.num_edges()),
+        target_(t_.num_edges()),
         position_(t_.num_vertices, Eigen::Vector2d::Zero()),
         placed_(t_.num_vertices, false) {
-    ParallelFor(t_.num_edges(), [&](Index e) { wanted_[e] = open.Wanted(t_.edge_halfedge[e]); });
+    ParallelFor(t_.num_edges(),
+                [&](Index e) { target_[e] = open.TargetVector(t_.edge_halfedge[e]); });
   }
 
   std::vector<Eigen::Vector2d> Place() {
@@ -80,7 +156,7 @@ class Placement {
         const Index w = forward ? t_.Tip(h) : t_.Tail(h);
         if (placed_[w]) return;
         placed_[w] = true;
-        position_[w] = position_[v] + (forward ? 1 : -1) * wanted_[e];
+        position_[w] = position_[v] + (forward ? 1 : -1) * target_[e];
         queue.push_back(w);
       });
     }
@@ -88,7 +164,7 @@ class Placement {
 
   const Triangulation& t_;
   SpanningForest forest_;
-  std::vector<Eigen::Vector2d> wanted_;  ///< per edge, along its halfedge
+  std::vector<Eigen::Vector2d> target_;  ///< per edge, along its halfedge
   std::vector<Eigen::Vector2d> position_;
   std::vector<bool> placed_;
 };
@@ -104,7 +180,7 @@ PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d
   ParallelFor(t.num_edges(), [&](Index e) {
     const Index h = t.edge_halfedge[e];
     const Eigen::Vector2d placed = position[t.Tip(h)] - position[t.Tail(h)];
-    missed[e] = (placed - open.Wanted(h)).norm() / open.lengths.value[e];
+    missed[e] = (placed - open.TargetVector(h)).norm() / open.lengths.value[e];
   });
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index f = Triangulation::Face(t.edge_halfedge[e]);

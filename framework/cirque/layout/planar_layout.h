@@ -2,18 +2,39 @@
 
 #include <vector>
 
-#include "cirque/core/metric.h"
+#include <Eigen/Core>
+
 #include "cirque/core/triangulation.h"
-#include "cirque/layout/open_surface.h"
+#include "cirque/core/metric.h"
 
 namespace cirque {
+
+/// A surface opened along a cut, with the target vectors of its edges in the plane.
+struct OpenSurface {
+  Triangulation triangulation;  ///< of CutOpen
+  Patches patches;
+  Eigen::VectorXd direction;  ///< 3F [rad]: of every halfedge, in the frame of its patch
+  EdgeLengths lengths;        ///< per edge of the opened triangulation
+
+  /// The target vector of a halfedge, by the direction that its own face gives it.
+  Eigen::Vector2d TargetVector(Index h) const;
+};
+
+/// The lengths of a surface's edges as those of the surface opened, of the same halfedges.
+EdgeLengths OpenedLengths(const Triangulation& triangulation, const EdgeLengths& lengths,
+                          const Triangulation& open);
+
+/// Opens the surface and gives every halfedge its direction: a sum of corner angles along the dual
+/// tree of its patch, breadth first from the patch's first halfedge, which points along the x axis.
+OpenSurface OpenWithDirections(const Triangulation& triangulation, const CornerAngles& flat_angles,
+                               const EdgeLengths& lengths, const Cut& cut);
 
 /// Flat disks in the plane, each in a frame of its own, with how well they closed.
 struct PlanarLayout {
   CornerUv uv;
   Patches patches;
-  std::vector<double>
-      patch_closure;   ///< max over edges of |placed vector - wanted vector| / length
+  /// Per patch, max over its edges of |vector in the layout - target vector| / length.
+  std::vector<double> patch_closure;
   double closure = 0;  ///< the largest of them
 };
 

@@ -16,6 +16,7 @@ struct RefineMapOptions {
   double decrease = 1e-4;  ///< ends when a step lowers the objective by less than this share
 };
 
+/// Both by name, with their meanings, for configs and the command line.
 const OptionTable<RefineMapOptions>& RefineMapOptionTable();
 
 /// What became of the objective.
@@ -31,13 +32,15 @@ struct MapRefinement {
 /// the finished map, leaves.
 ///
 /// Gauss-Newton: with a complex number z_i per vertex of the opened surface the Beltrami
-/// coefficient of a face, mu = sum z_i G_i / sum z_i conj(G_i), is holomorphic in z, so a step
-/// solves one Hermitian system sum A w J* J with A the faces' areas, w the objective's weight and
-/// J = d mu / d z; the seams hold by augmented Lagrangians with the same factor. The line search
-/// admits no face with |mu| >= 1 and, by exact arithmetic, none that is flipped. The image keeps
-/// its area. Faces of no area take no part, but stay as they are oriented.
+/// coefficient of a face,
+///   mu = sum_i z_i G_i / sum_i z_i conj(G_i),
+/// is holomorphic in z, so a step solves one Hermitian system
+///   sum A w J* J,   A the faces' areas, w the objective's weight, J = d mu / d z;
+/// the seams hold by augmented Lagrangians with the same factor. The line search admits no face
+/// with |mu| >= 1 and, by exact arithmetic, none that is flipped. The image keeps its area. Faces
+/// of no area take no part, but stay as they are oriented.
 ///
-/// `angles`, `lengths`: of the surface. `seams`: of MeasureSeams. Errors: cancelled.
+/// `angles` (3F [rad]), `lengths` (E): of the surface. `seams`: of MeasureSeams. Errors: cancelled.
 StatusOr<MapRefinement> RefineMap(const Triangulation& triangulation, const CornerAngles& angles,
                                   const EdgeLengths& lengths, const Cut& cut,
                                   const std::vector<Seam>& seams, const MapObjective& objective,

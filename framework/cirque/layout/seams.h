@@ -28,7 +28,7 @@ struct SeamReport {
   /// left, relative to the diameter of all UVs.
   double max_gap = 0;
   /// [rad]: over interior vertices on the cut, the rotations across all paths around the vertex
-  /// against minus its angle sum Theta, mod 2 pi: what the cone's angle implies.
+  /// against minus its angle sum Theta, modulo 2 pi: what the cone's angle implies.
   double max_cone_mismatch = 0;
 };
 
@@ -46,5 +46,15 @@ StatusOr<std::vector<int>> IntegerRotations(const Triangulation& triangulation,
 /// The paths of a cut, without their motions.
 std::vector<Seam> TraceSeams(const Triangulation& triangulation, const Cut& cut,
                              const std::vector<Index>& cones);
+
+/// Moves UVs so that every seam's two sides differ by exactly the rotation multiple[i] 2 pi / order
+/// and one translation, as far as doubles hold coordinates: the ends of all seams by the least
+/// displacement that makes their motions agree (a small linear system over the nodes of the cut),
+/// then the right side of every seam to where its left side is taken. Rotations of pi/2 are exact
+/// in floating point. Returns the largest displacement of a UV; it is of the size of the gaps in
+/// `report`, and triangles smaller than that should be checked again.
+/// `multiple`: of IntegerRotations, one for every seam of `report`.
+double SnapSeams(const Triangulation& triangulation, const Cut& cut, const SeamReport& report,
+                 const std::vector<int>& multiple, int order, CornerUv* uv);
 
 }  // namespace cirque

@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
+
 namespace cirque {
 
 /// Stereographic projection of the plane onto the unit sphere, from a window of the plane:
@@ -37,5 +40,20 @@ SphereChart BalancedChart(const std::vector<Eigen::Vector2d>& points,
 /// The point of Poincare's ball that boosts carry to the centre, one after the other, each given by
 /// the point that it carries there (LorentzBoost::centre).
 Eigen::Vector3d CentreOfBoosts(const std::vector<Eigen::Vector3d>& centres);
+
+/// Latitude and longitude of a map to the unit sphere as texture coordinates.
+struct LatLong {
+  CornerUv uv;                  ///< 3F
+  std::vector<Index> at_poles;  ///< faces with (0, 0, 1) or (0, 0, -1) inside: no two-dimensional
+                                ///< triangle is their image, their third side spans the seam
+};
+
+/// Per corner
+///   u = longitude / 2 pi + 1/2,   v = latitude / pi + 1/2.
+/// The u of a triangle lie within 1/2 of each other, the least of them in [0, 1): triangles across
+/// the date line are all at its eastern end and reach beyond 1, so that the texture opens along one
+/// path of edges and none is smeared over it. A corner at a pole of the sphere, where longitude has
+/// no meaning, gets the mean u of its triangle's others.
+LatLong LatLongUv(const Triangulation& triangulation, const std::vector<Eigen::Vector3d>& position);
 
 }  // namespace cirque

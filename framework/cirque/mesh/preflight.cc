@@ -8,11 +8,8 @@
 
 #include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
-#include "cirque/io/point_index.h"
-#include "cirque/mesh/fan_split.h"
-#include "cirque/mesh/gluing.h"
-#include "cirque/mesh/orientation.h"
-#include "cirque/mesh/preflight_text.h"
+#include "cirque/io/polygon_soup.h"
+#include "cirque/mesh/assembly.h"
 
 namespace cirque {
 namespace {

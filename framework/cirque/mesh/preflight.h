@@ -16,7 +16,7 @@ struct PreflightReport {
   Index num_vertices = 0, num_polygons = 0, num_triangles = 0, num_edges = 0;
   std::vector<Index> non_finite_vertices;
   std::vector<Index> isolated_vertices;      ///< of no face; set aside by the repair
-  std::vector<Index> duplicate_vertices;     ///< at the place of an earlier one; legal, left apart
+  std::vector<Index> duplicate_vertices;     ///< where an earlier one lies; legal, left apart
   std::vector<Index> repeated_vertex_faces;  ///< left out of all that follows
   std::vector<Index> zero_area_faces;  ///< twice the area <= 1e-12 (longest edge)^2, in any split
   std::vector<std::pair<Index, Index>> non_manifold_edges;  ///< of more than two faces
@@ -37,8 +37,15 @@ struct PreflightReport {
 /// aside; faces are turned around to agree with the majority of their neighbours (with the first
 /// face when there is none); polygons are split into the fans of their first corners, or of the
 /// first ones that avoid triangles of zero area. Everything else is refused, all problems in one
-/// message: what, where (counted from 1) and what to do. The report is filled in either case. O(F +
-/// V). The soup must be one: indices in range, at least 3 corners a polygon.
+/// message: what, where (counted from 1) and what to do. The report is filled in either case. Runs
+/// in O(F + V). The soup must be one: indices in range, at least 3 corners a polygon.
 StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report);
+
+/// Everything in the report that forbids a parameterization, each with where it is and what to do;
+/// empty when nothing does. `components` lists the polygons of each component; `one_sided_edge` is
+/// where a surface that is not orientable shows it. Vertices and faces are counted from 1.
+std::string DescribeProblems(const PreflightReport& report,
+                             const std::vector<std::vector<Index>>& components,
+                             std::pair<Index, Index> one_sided_edge);
 
 }  // namespace cirque

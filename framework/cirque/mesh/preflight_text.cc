@@ -1,10 +1,9 @@
-#include "cirque/mesh/preflight_text.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/mesh/preflight.h"
 
 namespace cirque {
 namespace {

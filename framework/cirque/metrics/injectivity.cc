@@ -1,11 +1,17 @@
 #include "cirque/metrics/injectivity.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <Eigen/Geometry>
+
+#include "cirque/math/compensated_sum.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
 namespace {
+
+using Eigen::Vector3d;
 
 struct Segment {
   Index halfedge, tail, tip;
@@ -75,6 +81,28 @@ BoundaryContact FindBoundaryContact(const Triangulation& t, const CornerUv& uv) 
     active.push_back(&segment);
   }
   return strongest;
+}
+
+std::vector<Index> FlippedSphericalFaces(const Triangulation& t,
+                                         const std::vector<Vector3d>& position) {
+  std::vector<Index> flipped;
+  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+    // From the origin, which is inside, the triangle must turn clockwise.
+    const int sign = OrientationSign3(position[t.vertex[h]], position[t.vertex[h + 1]],
+                                      position[t.vertex[h + 2]], Vector3d::Zero());
+    if (sign >= 0) flipped.push_back(Triangulation::Face(h));
+  }
+  return flipped;
+}
+
+double SphericalDegree(const Triangulation& t, const std::vector<Vector3d>& position) {
+  CompensatedSum area;
+  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+    const Vector3d &a = position[t.vertex[h]], &b = position[t.vertex[h + 1]],
+                   &c = position[t.vertex[h + 2]];
+    area += 2 * std::atan2(a.dot((b - a).cross(c - a)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  return area.Value() / (4 * kPi);
 }
 
 }  // namespace cirque

@@ -171,4 +171,32 @@ MappedFaces MeasureFaces(const Triangulation& t, const EdgeLengths& lengths, con
   return faces;
 }
 
+EdgeLengths ChordLengths(const Triangulation& t, const std::vector<Eigen::Vector3d>& position) {
+  EdgeLengths lengths;
+  lengths.value.resize(t.num_edges());
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    lengths.value[e] = (position[t.Tip(h)] - position[t.Tail(h)]).norm();
+  }
+  return lengths;
+}
+
+CornerUv FacesInPlane(const Triangulation& t, const EdgeLengths& lengths) {
+  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  CornerUv uv;
+  uv.value.resize(t.num_halfedges());
+  for (Index h = 0; h < t.num_halfedges(); h += 3) {
+    const double base = lengths.value[t.edge[h + 2]], side = lengths.value[t.edge[h + 1]];
+    uv.value[h] = {0, 0};
+    uv.value[h + 1] = {base, 0};
+    uv.value[h + 2] = {side * std::cos(angles.value[h]), side * std::sin(angles.value[h])};
+  }
+  return uv;
+}
+
+Eigen::VectorXd AngleDifferences(const Triangulation& t, const EdgeLengths& from,
+                                 const EdgeLengths& to) {
+  return (MeasureCornerAngles(t, from).value - MeasureCornerAngles(t, to).value).cwiseAbs();
+}
+
 }  // namespace cirque

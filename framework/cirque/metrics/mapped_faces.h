@@ -9,7 +9,8 @@
 
 namespace cirque {
 
-/// The faces of a piecewise linear map from a metric to the plane, measured once for all metrics.
+/// The faces of a piecewise linear map from a metric to the plane, measured once for all
+/// distortion measures.
 /// The map takes each Euclidean triangle with the given edge lengths to its uv triangle; surface
 /// and image are each scaled to total area 1.
 ///
@@ -41,5 +42,17 @@ struct MappedFaces {
 /// result.
 MappedFaces MeasureFaces(const Triangulation& triangulation, const EdgeLengths& lengths,
                          const CornerUv& uv, const CornerAngles* angles = nullptr);
+
+/// The lengths of the edges as straight chords, E.
+EdgeLengths ChordLengths(const Triangulation& triangulation,
+                         const std::vector<Eigen::Vector3d>& position);
+
+/// Every face with these edge lengths in a plane of its own, its first corner at the origin and its
+/// second on the x axis: so a metric, too, can be the image that MeasureFaces looks at.
+CornerUv FacesInPlane(const Triangulation& triangulation, const EdgeLengths& lengths);
+
+/// 3F: |angle in one metric - angle in the other| at every corner [rad].
+Eigen::VectorXd AngleDifferences(const Triangulation& triangulation, const EdgeLengths& from,
+                                 const EdgeLengths& to);
 
 }  // namespace cirque

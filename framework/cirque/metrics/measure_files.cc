@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <sstream>
 
@@ -11,8 +12,7 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
 #include "cirque/io/text_writer.h"
-#include "cirque/metrics/colour_scale.h"
-#include "cirque/metrics/registry.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 namespace {
@@ -43,7 +43,8 @@ StatusOr<MeasureFile> ParseMeasureFile(const std::string& word) {
   }
   const std::vector<std::string> known = MeasuresWithFaceValues();
   if (std::find(known.begin(), known.end(), file.colour_by) == known.end()) {
-    return Status::InvalidInput(UnknownName("metric with face values", file.colour_by, known));
+    return Status::InvalidInput(
+        UnknownName("distortion measure with face values", file.colour_by, known));
   }
   return file;
 }
@@ -64,7 +65,7 @@ StatusOr<std::vector<MeasureFile>> ParseMeasureFiles(const std::string& list) {
 std::string MeasuresCsv(const MapMeasures& measures) {
   TextWriter out;
   out.Text("face");
-  for (const auto& values : measures.faces) out.Text("," + values.metric);
+  for (const auto& values : measures.faces) out.Text("," + values.measure);
   out.Text("\n");
   const Eigen::Index num_faces = measures.faces.empty() ? 0 : measures.faces.front().value.size();
   for (Eigen::Index f = 0; f < num_faces; ++f) {
@@ -114,6 +115,51 @@ Status WriteMeasureFiles(const std::vector<MeasureFile>& files,
     if (Status s = WriteFileAtomically(file.path, text); !s.ok()) return s;
   }
   return Status();
+}
+
+namespace {
+
+using Table = std::array<Colour, 9>;
+
+constexpr Colour kGrey = {128, 128, 128};
+
+/// OKLab lightness 0.24 to 0.95, hue 300 to 105 degrees, chroma 0.13 or what sRGB has there.
+constexpr Table kOneSidedTable = {{{43, 0, 81},
+                                   {38, 40, 118},
+                                   {4, 77, 139},
+                                   {6, 111, 143},
+                                   {8, 144, 153},
+                                   {7, 178, 154},
+                                   {108, 205, 142},
+                                   {182, 226, 133},
+                                   {251, 244, 136}}};
+
+/// OKLab lightness 0.4, 0.95, 0.4, hue 255 and 35 degrees, chroma growing to 0.17.
+constexpr Table kTwoSidedTable = {{{1, 70, 140},
+                                   {48, 110, 186},
+                                   {109, 153, 210},
+                                   {170, 196, 230},
+                                   {238, 238, 238},
+                                   {227, 182, 170},
+                                   {203, 128, 109},
+                                   {174, 75, 51},
+                                   {130, 30, 1}}};
+
+}  // namespace
+
+Colour ColourOnScale(double value, double least, double greatest) {
+  if (std::isnan(value)) return kGrey;
+  const Table& table = least < 0 && greatest > 0 ? kTwoSidedTable : kOneSidedTable;
+  const double share = std::clamp((value - least) / (greatest - least), 0.0, 1.0);
+  const double step = share * static_cast<double>(table.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(step), table.size() - 2);
+  const double weight = step - static_cast<double>(below);
+  Colour colour;
+  for (std::size_t i = 0; i < 3; ++i) {
+    colour[i] = static_cast<int>(
+        std::lround((1 - weight) * table[below][i] + weight * table[below + 1][i]));
+  }
+  return colour;
 }
 
 }  // namespace cirque

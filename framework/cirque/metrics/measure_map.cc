@@ -1,13 +1,14 @@
 #include "cirque/metrics/measure_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
 
 #include "cirque/core/text.h"
-#include "cirque/metrics/registry.h"
+#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 namespace {
@@ -27,6 +28,14 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::complex<double> Complex(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
+
+std::complex<double> Mean(const std::vector<Eigen::Vector2d>& points) {
+  std::complex<double> sum = 0;
+  for (const auto& p : points) sum += Complex(p);
+  return sum / static_cast<double>(points.size());
+}
+
 }  // namespace
 
 double MapMeasures::ValueOf(const std::string& figure) const {
@@ -36,10 +45,10 @@ double MapMeasures::ValueOf(const std::string& figure) const {
   return found->value;
 }
 
-const MapMeasures::FaceValues& MapMeasures::FaceValuesOf(const std::string& metric) const {
+const MapMeasures::FaceValues& MapMeasures::FaceValuesOf(const std::string& measure) const {
   const auto found = std::find_if(faces.begin(), faces.end(),
-                                  [&](const FaceValues& f) { return f.metric == metric; });
-  CHECK(found != faces.end()) << metric;
+                                  [&](const FaceValues& f) { return f.measure == measure; });
+  CHECK(found != faces.end()) << measure;
   return *found;
 }
 
@@ -48,15 +57,15 @@ MapMeasures MeasureMap(const Triangulation& t, const EdgeLengths& lengths, const
   const MappedFaces faces = MeasureFaces(t, lengths, uv, angles);
   MapMeasures measures;
   for (const std::string& name : DistortionMeasures().Names()) {
-    const DistortionMeasure metric = MeasureOf(name);
-    const Measurement found = metric.measure(faces);
-    CHECK_EQ(found.figures.size(), metric.figures.size()) << name;
+    const DistortionMeasure measure = MeasureOf(name);
+    const Measurement found = measure.measure(faces);
+    CHECK_EQ(found.figures.size(), measure.figures.size()) << name;
     for (std::size_t i = 0; i < found.figures.size(); ++i) {
-      const FigureSpec& spec = metric.figures[i];
-      measures.figures.push_back({metric.group, spec.name, spec.meaning, found.figures[i]});
+      const FigureSpec& spec = measure.figures[i];
+      measures.figures.push_back({measure.group, spec.name, spec.meaning, found.figures[i]});
     }
-    if (metric.face_meaning.empty()) continue;
-    measures.faces.push_back({name, metric.face_meaning, metric.least, metric.greatest,
+    if (measure.face_meaning.empty()) continue;
+    measures.faces.push_back({name, measure.face_meaning, measure.least, measure.greatest,
                               Scatter(faces, found.face_values)});
   }
   return measures;
@@ -68,19 +77,20 @@ StatusOr<std::map<std::string, double>> MeasureFigures(const Triangulation& t,
                                                        const std::vector<std::string>& names) {
   const std::vector<std::string> known = FigureNames();
   for (const std::string& name : names) {
-    if (!Contains(known, name)) return Status::InvalidInput(UnknownName("measure", name, known));
+    if (!Contains(known, name))
+      return Status::InvalidInput(UnknownName("quality figure", name, known));
   }
   const MappedFaces faces = MeasureFaces(t, lengths, uv);
   std::map<std::string, double> values;
   for (const std::string& measure_name : DistortionMeasures().Names()) {
-    const DistortionMeasure metric = MeasureOf(measure_name);
-    const bool wanted =
-        std::any_of(metric.figures.begin(), metric.figures.end(),
+    const DistortionMeasure measure = MeasureOf(measure_name);
+    const bool needed =
+        std::any_of(measure.figures.begin(), measure.figures.end(),
                     [&](const FigureSpec& spec) { return Contains(names, spec.name); });
-    if (!wanted) continue;
-    const Measurement found = metric.measure(faces);
+    if (!needed) continue;
+    const Measurement found = measure.measure(faces);
     for (std::size_t i = 0; i < found.figures.size(); ++i) {
-      const std::string& name = metric.figures[i].name;
+      const std::string& name = measure.figures[i].name;
       if (Contains(names, name)) values[name] = found.figures[i];
     }
   }
@@ -107,6 +117,30 @@ std::string FormatFigures(const MapMeasures& measures) {
         fmt::format("  {:<{}}  {:<11.6g}  {}\n", figure.name, width, figure.value, figure.meaning);
   }
   return text;
+}
+
+Similarity FitSimilarity(const std::vector<Eigen::Vector2d>& from,
+                         const std::vector<Eigen::Vector2d>& to) {
+  const std::complex<double> from_mean = Mean(from), to_mean = Mean(to);
+  std::complex<double> covariance = 0;
+  double variance = 0, extent = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::complex<double> centred = Complex(from[i]) - from_mean;
+    covariance += std::conj(centred) * (Complex(to[i]) - to_mean);
+    variance += std::norm(centred);
+    extent = std::max(extent, std::abs(Complex(to[i]) - to_mean));
+  }
+  Similarity s;
+  s.factor = covariance / variance;
+  s.shift = to_mean - s.factor * from_mean;
+  double sum_of_squares = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double error = std::abs(s.factor * Complex(from[i]) + s.shift - Complex(to[i]));
+    s.max_error = std::max(s.max_error, error / (2 * extent));
+    sum_of_squares += error * error;
+  }
+  s.rms_error = std::sqrt(sum_of_squares / static_cast<double>(from.size())) / (2 * extent);
+  return s;
 }
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,10 +12,10 @@
 
 namespace cirque {
 
-/// All that the registered metrics say of a map.
+/// All that the registered distortion measures say of a map.
 struct MapMeasures {
   struct FaceValues {
-    std::string metric;
+    std::string measure;  ///< its name
     std::string meaning;
     double least = 0, greatest = 1;  ///< the values at the two ends of the colours
     Eigen::VectorXd value;           ///< F; NaN at degenerate faces
@@ -24,19 +25,19 @@ struct MapMeasures {
     double value = 0;
   };
 
-  std::vector<FaceValues> faces;  ///< of the metrics that have them, in the registry's order
+  std::vector<FaceValues> faces;  ///< of the measures that have them, in the registry's order
   std::vector<Figure> figures;    ///< in the registry's order
 
   /// @pre there is one of that name.
   double ValueOf(const std::string& figure) const;
-  const FaceValues& FaceValuesOf(const std::string& metric) const;
+  const FaceValues& FaceValuesOf(const std::string& measure) const;
 };
 
 /// `angles` as for MeasureFaces.
 MapMeasures MeasureMap(const Triangulation& triangulation, const EdgeLengths& lengths,
                        const CornerUv& uv, const CornerAngles* angles = nullptr);
 
-/// Only the figures named, by only the metrics that they need. Error: a name that no figure has.
+/// Only the figures named, by only the measures that they need. Error: a name that no figure has.
 StatusOr<std::map<std::string, double>> MeasureFigures(const Triangulation& triangulation,
                                                        const EdgeLengths& lengths,
                                                        const CornerUv& uv,
@@ -47,5 +48,18 @@ std::vector<std::string> FigureNames();
 
 /// The figures as aligned lines "NAME  VALUE  MEANING" under the headings of their groups.
 std::string FormatFigures(const MapMeasures& measures);
+
+/// The orientation-preserving similarity z -> factor z + shift of the plane.
+struct Similarity {
+  std::complex<double> factor, shift;
+  /// The distances left, largest and root mean square, relative to twice the target's largest
+  /// distance from its centroid.
+  double max_error = 0, rms_error = 0;
+};
+
+/// The similarity from the first points to the second, of which there are as many, that minimises
+///   sum_i |factor from_i + shift - to_i|^2.
+Similarity FitSimilarity(const std::vector<Eigen::Vector2d>& from,
+                         const std::vector<Eigen::Vector2d>& to);
 
 }  // namespace cirque

@@ -15,14 +15,14 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/intrinsic/corner_angles.h"
-#include "cirque/layout/move_vertices.h"
+#include "cirque/layout/untangle.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {
 namespace {
 
-constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out mirrored
+constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
 constexpr char kRetry[] = "interior_point";
 
 double Area(const Triangulation& t, const EdgeLengths& lengths) {
@@ -83,8 +83,8 @@ class Flattening {
   }
 
  private:
-  /// Keeps the edges of faces that came out mirrored: those faces then are faces of the pattern.
-  /// What is kept strains its surroundings, which may come out mirrored next; from the second time
+  /// Keeps the edges of faces that came out flipped: those faces then are faces of the pattern.
+  /// What is kept strains its surroundings, which may come out flipped next; from the second time
   /// on more and more of them is kept, until the border lies where little is to be flipped.
   void Lock(const std::vector<Index>& mirrored, int round, std::vector<bool>* locked) const {
     const double extent = std::sqrt(input_.num_faces());  // of the mesh, in edges
@@ -105,7 +105,7 @@ class Flattening {
     result_.intrinsic = MakeIntrinsicDelaunay(input_, lengths_, {&targets_, locked});
     certificate_.seconds["triangulation"] += timer.Seconds();
     if (Status s = Solve(); !s.ok()) return s;
-    return result_.on_input.mirrored;
+    return result_.on_input.flipped;
   }
 
   Status SolveOnInput() {
@@ -215,7 +215,7 @@ class Flattening {
     ScaleToSurfaceArea(flat);
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
-    Put({{"mirrored_triangles", static_cast<double>(result_.on_input.mirrored.size())}});
+    Put({{"mirrored_triangles", static_cast<double>(result_.on_input.flipped.size())}});
     Untangle();
     return Status();
   }
@@ -223,7 +223,7 @@ class Flattening {
   /// Few faces are mirrored, if any, and moving a vertex a little rights most of them.
   void Untangle() {
     int moves = 0;
-    if (!result_.on_input.mirrored.empty()) {
+    if (!result_.on_input.flipped.empty()) {
       std::vector<bool> movable = BoundaryVertices(input_);
       for (Index v = 0; v < input_.num_vertices; ++v) {
         movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/io/coloured_ply.h"
+#include "cirque/io/ply.h"
 
 namespace cirque {
 namespace {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cirque/layout/seams.h"
-#include "cirque/layout/snap_seams.h"
 #include "cirque/metrics/injectivity.h"
 
 namespace cirque {

@@ -1,0 +1,185 @@
+#include "cirque/io/ply.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include "cirque/io/file_input.h"
+#include "cirque/io/ply_stream.h"
+#include "cirque/io/text_writer.h"
+
+namespace cirque {
+namespace {
+
+/// The largest length or index that any mesh can have; doubles hold it exactly.
+constexpr double kLargest = 4294967295.0;
+
+/// Reads one element at a time into the numbers of the properties that a mesh needs.
+class PlyParser {
+ public:
+  PlyParser(const PlyHeader& header, std::unique_ptr<PlyBody> body)
+      : header_(header), body_(std::move(body)) {}
+
+  StatusOr<PolygonSoup> Parse() {
+    Status status = CheckHeader();
+    for (const PlyElement& element : header_.elements) {
+      // Elements without properties take no room in the file, however many the header promises.
+      const std::int64_t count = element.properties.empty() ? 0 : element.count;
+      for (std::int64_t i = 0; status.ok() && i < count; ++i) status = ParseElement(element, i);
+    }
+    if (!status.ok()) return status;
+    if (header_.encoding == PlyEncoding::kText && body_->NextElement()) {
+      return body_->Error("more lines follow than the header promises; correct the header");
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  /// Vertices come before faces, and both have what a mesh needs.
+  Status CheckHeader() const {
+    bool has_position = false, has_faces = false;
+    for (const PlyElement& element : header_.elements) {
+      int coordinates = 0;
+      for (const PlyProperty& property : element.properties) {
+        coordinates += Coordinate(element, property) >= 0 ? 1 : 0;
+        has_faces = has_faces || (has_position && IsCorners(element, property));
+      }
+      has_position = has_position || coordinates == 3;
+    }
+    if (has_faces) return Status();
+    return body_->Error(
+        "expected an element 'vertex' with x, y and z, then an element 'face' with a list "
+        "vertex_indices; write the mesh as polygons (not strips or points)");
+  }
+
+  /// 0, 1, 2 for x, y, z of a vertex, else -1.
+  static int Coordinate(const PlyElement& element, const PlyProperty& property) {
+    constexpr std::string_view kNames = "xyz";
+    if (element.name != "vertex" || property.is_list || property.name.size() != 1) return -1;
+    const std::size_t k = kNames.find(property.name);
+    return k == std::string_view::npos ? -1 : static_cast<int>(k);
+  }
+
+  static bool IsCorners(const PlyElement& element, const PlyProperty& property) {
+    return element.name == "face" && property.is_list &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  Status ParseElement(const PlyElement& element, std::int64_t i) {
+    if (!body_->NextElement()) {
+      return body_->Error(fmt::format("the file ends after {} of {} elements '{}'; is it cut off?",
+                                      i, element.count, Printable(element.name)));
+    }
+    if (element.name == "vertex") soup_.position.emplace_back(0, 0, 0);
+    for (const PlyProperty& property : element.properties) {
+      const Status status =
+          property.is_list ? ParseList(element, property) : ParseScalar(element, property);
+      if (!status.ok()) return status;
+    }
+    return Status();
+  }
+
+  Status ParseScalar(const PlyElement& element, const PlyProperty& property) {
+    const std::optional<double> number = body_->Number(property.type);
+    if (!number) return Missing("a number", element, property);
+    const int k = Coordinate(element, property);
+    if (k >= 0) soup_.position.back()[k] = *number;
+    return Status();
+  }
+
+  Status ParseList(const PlyElement& element, const PlyProperty& property) {
+    const std::optional<double> length = body_->Number(property.count_type);
+    if (!length) return Missing("the length", element, property);
+    if (!IsWhole(*length) || *length < 0) {
+      return body_->Error(fmt::format("a list of length {}; the file is damaged", *length));
+    }
+    const bool is_corners = IsCorners(element, property);
+    corners_.clear();
+    for (double i = 0; i < *length; ++i) {
+      const std::optional<double> number = body_->Number(property.type);
+      if (!number) return Missing("a number", element, property);
+      if (!is_corners) continue;
+      if (!IsWhole(*number)) return body_->Error(fmt::format("vertex index {}", *number));
+      corners_.push_back(static_cast<std::int64_t>(*number));
+    }
+    const std::string problem = is_corners ? AddPolygon(corners_, &soup_) : "";
+    return problem.empty() ? Status() : body_->Error(problem);
+  }
+
+  static bool IsWhole(double number) {
+    return std::abs(number) <= kLargest && number == std::floor(number);
+  }
+
+  Status Missing(std::string_view what, const PlyElement& element, const PlyProperty& property) {
+    return body_->Missing(fmt::format("{} for property '{}' of element '{}'", what,
+                                      Printable(property.name), Printable(element.name)));
+  }
+
+  const PlyHeader& header_;
+  std::unique_ptr<PlyBody> body_;
+  PolygonSoup soup_;
+  std::vector<std::int64_t> corners_;
+};
+
+}  // namespace
+
+StatusOr<PolygonSoup> ParsePly(const std::string& path, std::string_view content) {
+  TextScanner scanner(path, content);
+  const StatusOr<PlyHeader> header = ParsePlyHeader(&scanner);
+  if (!header.ok()) return header.status();
+  return PlyParser(*header, MakePlyBody(header->encoding, path, scanner)).Parse();
+}
+
+namespace {
+
+Index MostCorners(const PolygonSoup& mesh) {
+  Index most = 0;
+  for (Index p = 0; p < mesh.num_polygons(); ++p) {
+    most = std::max(most, mesh.first_corner[p + 1] - mesh.first_corner[p]);
+  }
+  return most;
+}
+
+}  // namespace
+
+TextPieces FormatPly(const PolygonSoup& mesh) {
+  TextWriter out;
+  out.Text("ply\nformat ascii 1.0\nelement vertex ");
+  out.Number(mesh.position.size());
+  out.Text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
+  out.Number(mesh.num_polygons());
+  // Many readers know only the usual uchar, which holds 255 corners.
+  out.Text(MostCorners(mesh) < 256 ? "\nproperty list uchar int vertex_indices\nend_header\n"
+                                   : "\nproperty list int int vertex_indices\nend_header\n");
+  WritePointsAndPolygons(mesh, &out);
+  return std::move(out).TakePieces();
+}
+
+std::string FormatColouredPly(const std::vector<Eigen::Vector3d>& position,
+                              const std::vector<Index>& corner, const std::vector<Colour>& colour,
+                              const std::vector<std::string>& comments) {
+  CHECK_EQ(corner.size(), 3 * colour.size());
+  TextWriter out;
+  out.Text("ply\nformat ascii 1.0\n");
+  for (const std::string& comment : comments) out.Text("comment " + comment + "\n");
+  out.Text("element vertex ");
+  out.Number(position.size());
+  out.Text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
+  out.Number(colour.size());
+  out.Text(
+      "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nend_header\n");
+  for (const Eigen::Vector3d& point : position) out.PointLine(point);
+  for (std::size_t f = 0; f < colour.size(); ++f) {
+    Eigen::Matrix<Index, 7, 1> line;
+    line << 3, corner[3 * f], corner[3 * f + 1], corner[3 * f + 2], colour[f][0], colour[f][1],
+        colour[f][2];
+    out.PointLine(line);
+  }
+  return std::move(out).Take();
+}
+
+}  // namespace cirque
