@@ -6,7 +6,7 @@
 #include "cirque/core/status.h"
 #include "cirque/domains/domain.h"
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 
 namespace cirque {
 

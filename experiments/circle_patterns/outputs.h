@@ -8,7 +8,7 @@
 #include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 
 namespace cirque {
 

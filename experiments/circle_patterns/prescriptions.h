@@ -8,7 +8,7 @@
 #include "cirque/cuts/edge_files.h"
 #include "cirque/io/cone_file.h"
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 
 namespace cirque {
 

@@ -2,39 +2,14 @@
 
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/parameterize.h"
 
+#include "experiments/circle_patterns/job.h"
+
 namespace cirque {
-
-/// The shape to map onto, as the flags say it.
-struct DomainRequest {
-  std::string name = "plane";
-  OptionMap shape;  ///< of DomainOptionTable(), vertices by their numbers in the file, from 1
-};
-
-/// What the program was asked to do.
-struct CirclePatternsJob {
-  std::string input, output;
-  std::string input_con;     ///< an intrinsic metric instead of `input`
-  bool layout_only = false;  ///< the metric of `input_con` is flat: cut and lay it out as it is
-  std::string cones;         ///< file of `vertex min max` in multiples of pi; empty: none
-  std::string angle_sums;    ///< file of one target angle sum [rad] per vertex; empty: none
-  std::string cut;           ///< file of edges `from to face` to open; empty: a short cut is found
-  std::string cut_paths;    ///< "a-b,c-d": vertices, counted from 1, to open shortest paths between
-  std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
-  bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric
-  bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
-  std::string certificate;  ///< where to write it; empty: beside the output
-  std::string latlong;      ///< .obj to write with latitude and longitude as texture; empty: none
-  std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
-  ParameterizeOptions options;
-  DomainRequest domain;
-};
 
 /// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".
 std::string CertificatePath(const CirclePatternsJob& job);

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "experiments/experiment_report/chart_frame.h"
 #include "experiments/experiment_report/html.h"
 
 namespace cirque::experiment_report {

@@ -3,23 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment_report/axis.h"
+#include "experiments/experiment_report/chart_frame.h"
 
 namespace cirque::experiment_report {
-
-/// What a chart is called and what its axes are. Charts are HTML figure elements with an inline SVG
-/// that takes its colours from the page's style sheet: series i has the class "s" + i mod 8, from
-/// the ninth on also "again" (lines are dashed), and points of every series have one of 4 shapes.
-/// Every mark has the class "mark" and a title for the pointer.
-struct ChartText {
-  std::string title;
-  std::string x_label, y_label;
-  AxisKind x_kind = AxisKind::kLinear, y_kind = AxisKind::kLinear;
-  std::string note = {};  ///< below it, plain text
-};
-
-/// The names of the series, which marks refer to by position.
-using SeriesNames = std::vector<std::string>;
 
 struct Point {
   int series = 0;

@@ -1,12 +1,18 @@
-# `cmake --install`: the library, its headers as cirque/FLOOR/NAME.h, and the package that
+# `cmake --install`: the library, its public headers as cirque/FOLDER/NAME.h, and the package that
 # find_package(cirque) reads.
 include(CMakePackageConfigHelpers)
 set(CIRQUE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cirque)
 
 install(TARGETS cirque EXPORT cirqueTargets COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/cirque/ COMPONENT development
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cirque
-        FILES_MATCHING PATTERN "*.h" PATTERN petsc EXCLUDE)
+# Only what cirque/cirque.h reaches is for users; a test keeps the list to that.
+set(CIRQUE_PUBLIC_HEADERS ${PROJECT_SOURCE_DIR}/framework/public_headers.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CIRQUE_PUBLIC_HEADERS})
+file(STRINGS ${CIRQUE_PUBLIC_HEADERS} HEADERS REGEX "^cirque/")
+foreach(HEADER ${HEADERS})
+  cmake_path(GET HEADER PARENT_PATH FOLDER)
+  install(FILES ${PROJECT_SOURCE_DIR}/framework/${HEADER} COMPONENT development
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${FOLDER})
+endforeach()
 install(EXPORT cirqueTargets NAMESPACE cirque:: COMPONENT development
         DESTINATION ${CIRQUE_PACKAGE_DIR})
 

@@ -8,6 +8,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/parameterize.h"
+#include "cirque/pipeline/place_cones.h"
 
 #include "tests/common/surfaces.h"
 

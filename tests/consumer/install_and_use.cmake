@@ -12,4 +12,6 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATO
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix
     -D WANTED_VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer ${VERSION})
+run(${WORK}/build/package ${VERSION})
+run(${WORK}/build/map_arrays)
+run(${WORK}/build/own_energy)

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/generators/chart_sampler.h"
 #include "cirque/generators/planar_delaunay.h"
+#include "cirque/generators/surface_chart.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {

@@ -8,8 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/generators/chart_sampler.h"
-#include "cirque/generators/hilbert_order.h"
+#include "cirque/generators/surface_chart.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {

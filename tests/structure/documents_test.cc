@@ -1,4 +1,5 @@
 // What documents say about the tree is so.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -14,6 +15,7 @@
 #include "tests/common/paths.h"
 #include "tests/common/run_program.h"
 #include "tests/common/temporary_folder.h"
+#include "tests/structure/public_headers.h"
 
 namespace cirque {
 namespace {
@@ -63,6 +65,34 @@ TEST(Documents, LinksLeadToFiles) {
     }
   }
   EXPECT_GT(count, 10);
+}
+
+int NumLines(const std::string& path) {
+  const std::string text = ReadAll(ProjectPath(path));
+  EXPECT_FALSE(text.empty()) << path;
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(Documents, ExamplesTakeAsManyLinesAsContributorsAreTold) {
+  static const std::regex kRow(R"(`(tests/\S+)\.\{h,cc\}` \| (\d+) \| (\d+) \|)");
+  const std::string page = ReadAll(ProjectPath("CONTRIBUTING.md"));
+  int rows = 0;
+  for (std::sregex_iterator row(page.begin(), page.end(), kRow), end; row != end; ++row, ++rows) {
+    const std::string pair = (*row)[1];
+    // The pair, and the table with its line.
+    EXPECT_EQ((*row)[2], "3") << pair;
+    EXPECT_EQ(std::stoi((*row)[3]), NumLines(pair + ".h") + NumLines(pair + ".cc") + 1) << pair;
+  }
+  EXPECT_EQ(rows, 6);
+}
+
+TEST(Documents, ProgramsOfAnotherProjectAreShortAndSeeOneHeader) {
+  for (const std::string program : {"map_arrays", "own_energy"}) {
+    const std::string path = "tests/consumer/" + program + ".cc";
+    EXPECT_LE(NumLines(path), 40) << path;
+    EXPECT_THAT(LibraryIncludes(ReadAll(ProjectPath(path))),
+                testing::ElementsAre("cirque/cirque.h"));
+  }
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/audit/checks.h"
-
 namespace cirque {
 
 void AuditFinding::Note(double new_figure, const std::string& new_where) {
@@ -15,15 +13,6 @@ void AuditFinding::Note(double new_figure, const std::string& new_where) {
   if (!is_worse || std::isnan(figure)) return;
   figure = new_figure;
   where = new_where;
-}
-
-const std::vector<AuditCheck>& AuditChecks() {
-  static const std::vector<AuditCheck> kTable = {
-      {"gradient", 0.2, CheckGradient},  {"hessian", 0.2, CheckHessian},
-      {"symmetry", 1e-6, CheckSymmetry}, {"convexity", 1e-12, CheckConvexity},
-      {"forms", 1e-9, CheckForms},       {"domain", 0, CheckDomain},
-  };
-  return kTable;
 }
 
 std::vector<AuditFinding> AuditEnergy(const std::vector<AuditCase>& cases,

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "cirque/cones/cone_moves.h"
-#include "cirque/cones/registry.h"
 
 namespace cirque {
 
@@ -22,7 +21,8 @@ const OptionTable<MovingOptions>& MovingOptionTable() {
   return kTable;
 }
 
-StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap& map) {
+StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap& map,
+                                                                 const StartMaker& make_start) {
   MovingOptions options;
   if (Status s = MovingOptionTable().Set(map, &options); !s.ok()) return s;
   if (options.start == "moving") {
@@ -31,7 +31,7 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
   // The budget is the start's; what it does not take, it refuses.
   OptionMap rest = map;
   for (const char* own : {"start", "max_sweeps", "measure", "relocations"}) rest.erase(own);
-  auto start = MakeConeHeuristic(options.start, rest);
+  auto start = make_start(options.start, rest);
   if (!start.ok()) return start.status().In("moving");
   return std::shared_ptr<const ConeHeuristic>(
       std::make_shared<MovingCones>(*std::move(start), options));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -33,8 +34,13 @@ const OptionTable<MovingOptions>& MovingOptionTable();
 /// up to its smoothing); the number of cones is that of the start.
 class MovingCones final : public ConeHeuristic {
  public:
+  /// Makes the heuristic of a name with options, as MakeConeHeuristic does.
+  using StartMaker = std::function<StatusOr<std::shared_ptr<const ConeHeuristic>>(
+      const std::string& name, const OptionMap& options)>;
+
   /// Error (invalid input): a start that does not take the budget's options, or is itself moving.
-  static StatusOr<std::shared_ptr<const ConeHeuristic>> Make(const OptionMap& options);
+  static StatusOr<std::shared_ptr<const ConeHeuristic>> Make(const OptionMap& options,
+                                                             const StartMaker& make_start);
 
   MovingCones(std::shared_ptr<const ConeHeuristic> start, MovingOptions options)
       : start_(std::move(start)), options_(std::move(options)) {}

@@ -58,6 +58,12 @@ Made MakeNone(const OptionMap& map) {
   return std::shared_ptr<const ConeHeuristic>(std::make_shared<NoCones>());
 }
 
+Made MakeMoving(const OptionMap& map) {
+  return MovingCones::Make(map, [](const std::string& name, const OptionMap& options) {
+    return MakeConeHeuristic(name, options);
+  });
+}
+
 }  // namespace
 
 const Registry<ConeHeuristicFactory>& ConeHeuristics() {
@@ -70,7 +76,7 @@ const Registry<ConeHeuristicFactory>& ConeHeuristics() {
           {"greedy", HeuristicFactory<GreedyCones>(GreedyOptionTable())},
           {"l1", HeuristicFactory<L1Cones>(L1OptionTable())},
           {"reweighted", HeuristicFactory<ReweightedCones>(ReweightedOptionTable())},
-          {"moving", MovingCones::Make},
+          {"moving", MakeMoving},
       });
   return kTable;
 }

@@ -21,7 +21,7 @@ const Registry<ConeHeuristicFactory>& ConeHeuristics();
 /// The heuristic of that name with those options. Errors (invalid input): an unknown name, with all
 /// that are known; an option that is unknown or out of bounds. A program with a heuristic of its own
 /// extends the table and hands it here:
-///   MakeConeHeuristic("mine", options, *ConeHeuristics().With("mine", factory)).
+///   MakeConeHeuristic("mine", options, ConeHeuristics().With("mine", factory)).
 /// (`moving` starts from one of ConeHeuristics() whatever the table.)
 StatusOr<std::shared_ptr<const ConeHeuristic>> MakeConeHeuristic(
     const std::string& name, const OptionMap& options = {},

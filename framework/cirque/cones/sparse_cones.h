@@ -18,12 +18,11 @@ const OptionTable<L1Options>& L1OptionTable();
 /// through the dual, a quadratic program in a box: with phi the multiplier of the equation,
 /// u = -A^-1 L phi and
 ///   minimise 1/2 phi' L A^-1 L phi - K . phi   over   |phi_v| <= lambda.
-/// The optimal mu = K - L A^-1 L phi lives where |phi| = lambda, on few vertices. These are
-/// gathered in clusters, the greatest of which become the cones, with curvatures of least
-/// distortion.
+/// The optimal mu = K - L A^-1 L phi lives where |phi| = lambda, on few vertices. Among these the
+/// cones are chosen (ChooseByDescent), with curvatures of least distortion.
 ///
-/// Guarantees: mu is optimal to the tolerance of SolveBoxProgram. That it lies on at most as many
-/// clusters as the budget has cones depends on lambda, which is sought by bisection.
+/// Guarantees: mu is optimal to the tolerance of SolveBoxProgram. Without a given lambda, lambda is
+/// lowered by quarters until mu lives on at least twice as many vertices as there may be cones.
 class L1Cones final : public BudgetedHeuristic {
  public:
   explicit L1Cones(const L1Options& options) : BudgetedHeuristic(options), options_(options) {}

@@ -17,6 +17,7 @@ using OptionMap = std::map<std::string, std::string>;
 /// The value of an option of any kind; an enum's is its word.
 using OptionValue = std::variant<bool, int, double, std::string, std::vector<int>>;
 
+/// What an option holds.
 enum class OptionKind { kBoolean, kInteger, kNumber, kText, kIntegers };
 
 /// Least and greatest value of a number, both included.

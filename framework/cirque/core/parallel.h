@@ -27,6 +27,7 @@ class ThreadLimit {
 /// The number of threads that the loops may use now.
 int NumThreads();
 
+/// How many elements of a loop one task takes.
 constexpr int kParallelBlock = 8192;  ///< a few hundred microseconds of edge functions
 
 /// Calls body(block, begin, end) for consecutive blocks of [0, n), at once where threads allow.

@@ -43,16 +43,6 @@ class Registry {
     return Status::InvalidInput(UnknownName(kind_, name, Names()));
   }
 
-  /// This table with an entry more, behind the others. Error (invalid input): the name is empty or
-  /// taken.
-  StatusOr<Registry> With(const std::string& name, T thing) const {
-    if (name.empty()) return Status::InvalidInput("a " + kind_ + " needs a name");
-    if (Find(name).ok()) return Status::InvalidInput(kind_ + " '" + name + "' exists already");
-    Registry larger = *this;
-    larger.entries_.emplace_back(name, std::move(thing));
-    return larger;
-  }
-
  private:
   std::string kind_;
   std::vector<std::pair<std::string, T>> entries_;

@@ -11,6 +11,7 @@
 
 namespace cirque {
 
+/// A figure that nothing has filled in.
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a solve ended, and what became of the caller's x.
@@ -27,6 +28,7 @@ enum class Termination {
   kUnsupported,      ///< the energy does not offer the form that the strategy needs: x untouched
 };
 
+/// "converged", "stalled", ...: the word used in records and tables.
 std::string ToString(Termination termination);
 
 /// One accepted iterate.
@@ -58,6 +60,7 @@ struct SolveSummary {
   std::string FullReport() const;   ///< a line per quantity, then a line per iteration
 };
 
+/// What a callback wants of the solve that called it.
 enum class CallbackAction { kContinue, kStop };
 
 /// Called after every accepted iterate with that iterate.

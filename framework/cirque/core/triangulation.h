@@ -91,6 +91,7 @@ struct Patches {
   std::vector<Index> of_face;  ///< numbered in the order of their first faces
 };
 
+/// Those of a triangulation. O(F).
 Patches ConnectedPatches(const Triangulation& triangulation);
 
 }  // namespace cirque

@@ -22,6 +22,7 @@ using Index = std::int32_t;
 /// "No such element": the twin of a boundary halfedge, for instance.
 inline constexpr Index kNone = -1;
 
+/// Half a turn [rad].
 inline constexpr double kPi = std::numbers::pi;
 
 }  // namespace cirque

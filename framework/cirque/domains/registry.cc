@@ -88,9 +88,15 @@ bool IsReadBySomeDomain(const std::string& option) {
 
 StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
                                 const SolveControl& control, Certificate* failed) {
+  return MapSurface(surface, request, control, failed, Domains());
+}
+
+StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
+                                const SolveControl& control, Certificate* failed,
+                                const Registry<Domain>& domains) {
   const Timer timer;
   SurfaceMap map;
-  const StatusOr<Domain> domain = Domains().Find(request.domain);
+  const StatusOr<Domain> domain = domains.Find(request.domain);
   Status status = domain.status();
   if (status.ok()) status = CheckRequest(*domain, request, surface.triangulation.num_vertices);
   if (status.ok()) status = domain->map(surface, request, control, &map);

@@ -16,14 +16,16 @@ namespace cirque {
 /// What energies are made from; each takes what it needs. Must outlive the energy.
 struct EnergyInput {
   Triangulation triangulation;
-  CornerAngles reference;  ///< measured angles: of the angle fits' dual energies and of the barrier
-  CoherentAngles coherent;  ///< of the circle-pattern energy
-  ConeTargets targets;
-  double epsilon = 1e-3;                ///< margin of the angle fits [rad]
-  std::vector<Eigen::Vector3d> points;  ///< unit vectors: of the Lorentz energy
-  std::vector<double> weights;          ///< one per point
+  CornerAngles reference =
+      {};  ///< measured angles: of the angle fits' dual energies and of the barrier
+  CoherentAngles coherent = {};  ///< of the circle-pattern energy
+  ConeTargets targets = {};
+  double epsilon = 1e-3;                     ///< margin of the angle fits [rad]
+  std::vector<Eigen::Vector3d> points = {};  ///< unit vectors: of the Lorentz energy
+  std::vector<double> weights = {};          ///< one per point
 };
 
+/// Makes an energy from what it takes of the input, which must outlive the energy.
 using EnergyFactory = std::function<std::unique_ptr<Energy>(const EnergyInput&)>;
 
 /// The table of energies, one line an entry in registry.cc. Every registered energy is audited.

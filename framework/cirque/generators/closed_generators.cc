@@ -5,8 +5,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/generators/chart_sampler.h"
-#include "cirque/generators/generator_table.h"
+#include "cirque/generators/generators.h"
 #include "cirque/generators/known_maps.h"
 #include "cirque/generators/planar_delaunay.h"
 #include "cirque/generators/surface_chart.h"

@@ -4,10 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/generators/generator_table.h"
-
 namespace cirque {
-
 namespace {
 
 MeshGenerator AtLeast(Index min_triangles, PolygonSoup (*make)(const GeneratorOptions&)) {

@@ -1,8 +1,8 @@
-#include "cirque/generators/hilbert_order.h"
-
 #include <algorithm>
 #include <array>
 #include <numeric>
+
+#include "cirque/generators/planar_delaunay.h"
 
 namespace cirque {
 namespace {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/generators/hilbert_order.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {

@@ -40,4 +40,9 @@ std::vector<Triangle> TriangulateHull(const std::vector<Eigen::Vector2d>& points
 std::vector<Triangle> PeriodicDelaunay(const std::vector<Eigen::Vector2d>& points,
                                        const Eigen::Vector2d& periods);
 
+/// The points' numbers in the order of a Hilbert curve whose cells are halved at medians, so that
+/// neighbours in the order are near each other however uneven the points' density is. Equal
+/// coordinates are ordered by number: the result is the same on every machine.
+std::vector<Index> HilbertOrder(const std::vector<Eigen::Vector2d>& points);
+
 }  // namespace cirque

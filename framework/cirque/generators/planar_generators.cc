@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cirque/generators/chart_sampler.h"
-#include "cirque/generators/generator_table.h"
+#include "cirque/generators/generators.h"
 #include "cirque/generators/surface_chart.h"
 
 namespace cirque {

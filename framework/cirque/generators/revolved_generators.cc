@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/generators/generator_table.h"
+#include "cirque/generators/generators.h"
 #include "cirque/generators/known_maps.h"
 #include "cirque/generators/surface_chart.h"
 

@@ -44,6 +44,7 @@ struct IntrinsicTriangulation {
   std::vector<Index> edge_of_input;
 };
 
+/// What flips may not do.
 struct IntrinsicDelaunayOptions {
   /// No flip leaves a vertex with fewer corners than its target needs (Theta_v < corners * pi) or
   /// makes a chord beyond which the targets leave no room (ChordGuard). Where a jagged boundary

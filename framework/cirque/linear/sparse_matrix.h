@@ -10,14 +10,17 @@ namespace cirque {
 /// whose columns each begin with the diagonal entry.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+/// Entry (j, j).
 inline double DiagonalEntry(const SparseMatrix& lower, int j) {
   return lower.valuePtr()[lower.outerIndexPtr()[j]];
 }
 
+/// The same, to be changed.
 inline double& DiagonalEntry(SparseMatrix* lower, int j) {
   return lower->valuePtr()[lower->outerIndexPtr()[j]];
 }
 
+/// All of them, n.
 inline Eigen::VectorXd Diagonal(const SparseMatrix& lower) {
   Eigen::VectorXd diagonal(lower.cols());
   ParallelFor(static_cast<int>(lower.cols()),

@@ -170,4 +170,22 @@ StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report) {
   return BuildSurface(soup, std::move(assembly));
 }
 
+StatusOr<Surface> SurfaceFromTriangles(const std::vector<Eigen::Vector3d>& points,
+                                       const std::vector<std::array<Index, 3>>& triangles) {
+  PolygonSoup soup;
+  soup.position = points;
+  for (const auto& triangle : triangles) {
+    for (const Index v : triangle) {
+      if (v >= 0 && v < static_cast<Index>(points.size())) continue;
+      return Status::InvalidInput(
+          fmt::format("triangle {} has a corner {}; there are {} points, counted from 0",
+                      soup.num_polygons(), v, points.size()));
+    }
+    soup.corner.insert(soup.corner.end(), triangle.begin(), triangle.end());
+    soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  }
+  PreflightReport report;
+  return Preflight(soup, &report);
+}
+
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,13 @@ struct PreflightReport {
 /// message: what, where (counted from 1) and what to do. The report is filled in either case. Runs
 /// in O(F + V). The soup must be one: indices in range, at least 3 corners a polygon.
 StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report);
+
+/// The surface of points (V) and triangles (F, corners counted from 0), judged and repaired by
+/// Preflight, whose messages count vertices and faces from 1. Faces keep their numbers, and so do
+/// vertices unless a point belongs to no triangle (Surface::soup_vertex). Error (invalid input):
+/// also a corner that is no point.
+StatusOr<Surface> SurfaceFromTriangles(const std::vector<Eigen::Vector3d>& points,
+                                       const std::vector<std::array<Index, 3>>& triangles);
 
 /// Everything in the report that forbids a parameterization, each with where it is and what to do;
 /// empty when nothing does. `components` lists the polygons of each component; `one_sided_edge` is

@@ -8,7 +8,6 @@
 #include <glog/logging.h>
 
 #include "cirque/core/text.h"
-#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque {
 namespace {
@@ -53,11 +52,11 @@ const MapMeasures::FaceValues& MapMeasures::FaceValuesOf(const std::string& meas
 }
 
 MapMeasures MeasureMap(const Triangulation& t, const EdgeLengths& lengths, const CornerUv& uv,
-                       const CornerAngles* angles) {
+                       const CornerAngles* angles, const Registry<DistortionMeasure>& table) {
   const MappedFaces faces = MeasureFaces(t, lengths, uv, angles);
   MapMeasures measures;
-  for (const std::string& name : DistortionMeasures().Names()) {
-    const DistortionMeasure measure = MeasureOf(name);
+  for (const std::string& name : table.Names()) {
+    const DistortionMeasure measure = *table.Find(name);
     const Measurement found = measure.measure(faces);
     CHECK_EQ(found.figures.size(), measure.figures.size()) << name;
     for (std::size_t i = 0; i < found.figures.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/status.h"
+#include "cirque/metrics/distortion_measure.h"
 #include "cirque/metrics/mapped_faces.h"
 
 namespace cirque {
@@ -33,9 +34,12 @@ struct MapMeasures {
   const FaceValues& FaceValuesOf(const std::string& measure) const;
 };
 
-/// `angles` as for MeasureFaces.
+/// What these measures say of a map to the plane; `angles` as for MeasureFaces. A program with a
+/// measure of its own hands on a larger table:
+///   MeasureMap(triangulation, lengths, uv, nullptr, DistortionMeasures().With("mine", measure)).
 MapMeasures MeasureMap(const Triangulation& triangulation, const EdgeLengths& lengths,
-                       const CornerUv& uv, const CornerAngles* angles = nullptr);
+                       const CornerUv& uv, const CornerAngles* angles = nullptr,
+                       const Registry<DistortionMeasure>& measures = DistortionMeasures());
 
 /// Only the figures named, by only the measures that they need. Error: a name that no figure has.
 StatusOr<std::map<std::string, double>> MeasureFigures(const Triangulation& triangulation,

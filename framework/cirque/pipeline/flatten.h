@@ -34,6 +34,7 @@ using SolveWithLocked =
 using LockFlipped =
     std::function<bool(const std::vector<Index>& flipped, std::vector<bool>* locked)>;
 
+/// How often SolveLockingFlipped locks edges.
 inline constexpr int kMostLockingRounds = 6;
 
 /// The lazily constrained loop: solves, locks edges of the faces that came out flipped, which then

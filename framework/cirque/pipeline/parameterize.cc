@@ -17,6 +17,7 @@
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/map_measures.h"
+#include "cirque/pipeline/place_cones.h"
 #include "cirque/pipeline/refine_cones.h"
 #include "cirque/pipeline/refine_layout.h"
 #include "cirque/pipeline/repair_cones.h"

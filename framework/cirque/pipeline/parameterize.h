@@ -10,7 +10,6 @@
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/flatten.h"
 #include "cirque/pipeline/options.h"
-#include "cirque/pipeline/place_cones.h"
 
 namespace cirque {
 

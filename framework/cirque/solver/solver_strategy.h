@@ -37,6 +37,7 @@ class SolverStrategy {
   virtual std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const;
 };
 
+/// Makes a strategy from its options; errors name the option, its value and its bound.
 using SolverStrategyFactory =
     std::function<StatusOr<std::shared_ptr<const SolverStrategy>>(const OptionMap&)>;
 

@@ -1,4 +1,4 @@
-#include "cirque/generators/chart_sampler.h"
+#include "cirque/generators/surface_chart.h"
 
 #include <cmath>
 
