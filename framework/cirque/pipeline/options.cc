@@ -18,8 +18,8 @@ std::vector<Option<O>> SolveOptions() {
   return {{"triangulation", &O::triangulation,
            "intrinsic Delaunay flips first, or the input's connectivity"},
           Option<O>("angle_objective", &O::angle_objective,
-                    "the objective of the angle fit; maps to the sphere have entropy unless told "
-                    "otherwise")
+                    "the objective of the angle fit; circle_patterns takes entropy for the sphere, "
+                    "unless told otherwise")
               .OneOf(AngleObjectives().Names())
               .Formerly("angle_fit"),
           Option<O>("angle_solver", &O::angle_solver, "the solver of the angle fit")
