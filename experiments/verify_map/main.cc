@@ -1,4 +1,4 @@
-// Independent checker of UV maps and of certificates of infeasibility.
+// Independent checker of UV maps and of infeasibility certificates.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -11,12 +11,12 @@
 #include "cirque/core/text.h"
 #include "cirque/io/io.h"
 #include "cirque/metrics/measure_files.h"
+#include "cirque/verify/infeasibility_check.h"
+#include "cirque/verify/map_check.h"
+#include "cirque/verify/sphere_check.h"
 
 #include "experiments/common/flag_parsing.h"
-#include "experiments/verify_map/infeasibility_check.h"
-#include "experiments/verify_map/report_text.h"
-#include "experiments/verify_map/sphere_check.h"
-#include "experiments/verify_map/verify.h"
+#include "experiments/verify_map/measures.h"
 
 DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
 DEFINE_string(
@@ -26,7 +26,7 @@ DEFINE_string(
 DEFINE_string(targets, "",
               "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
               "misses one is invalid");
-DEFINE_string(infeasible, "", "certificate of infeasibility to check against the one mesh given");
+DEFINE_string(infeasible, "", "infeasibility certificate to check against the one mesh given");
 DEFINE_double(position_tolerance, 1e-6,
               "how far a vertex may be off, as a fraction of the bounding box's diagonal");
 DEFINE_double(angle_tolerance, 1e-6, "how far an angle sum may be off 2 pi or its target [rad]");
@@ -41,14 +41,15 @@ DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
 DECLARE_bool(help);
 
-namespace cirque::verify_map {
+namespace cirque::verify {
 namespace {
 
 constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 
 const char kUsage[] =
-    "Checks a UV map, or a proof that there is none; the verdict shares no code with what made "
+    "Checks a UV map, or a certificate that there is none; the verdict shares no code with what "
+    "made "
     "it.\n"
     "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
     "  verify_map --domain=sphere IN OUT  are OUT's points a valid map of IN to the unit sphere?\n"
@@ -77,20 +78,24 @@ int Conclude(const Report& report, bool good) {
 }
 
 int VerifyInfeasibility(const std::vector<std::string>& files) {
-  const StatusOr<InfeasibilityCertificate> proof = ReadInfeasibilityCertificate(FLAGS_infeasible);
-  if (!proof.ok()) return Complain(proof.status());
+  const StatusOr<InfeasibilityCertificate> certificate =
+      ReadInfeasibilityCertificate(FLAGS_infeasible);
+  if (!certificate.ok()) return Complain(certificate.status());
   const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
   if (!in.ok()) return Complain(in.status());
-  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(*proof, *in);
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(*certificate, *in);
   if (!report.ok()) return Complain(report.status());
   return Conclude(*report, report->accepted());
 }
 
-/// The measures in the files asked for; none where an error left nothing to measure.
-Status WriteMeasures(const std::vector<MeasureFile>& files, const PolygonSoup& in,
-                     const MapReport& report) {
-  if (files.empty() || !report.measures) return Status();
-  return WriteMeasureFiles(files, in.position, FanTriangulate(in)->vertex, *report.measures);
+/// Adds the distortion measures to the report and writes them to the files asked for; nothing where
+/// an error left nothing to measure.
+Status Measure(const std::vector<MeasureFile>& files, const PolygonSoup& in, MapReport* report) {
+  if (!report->complex) return Status();
+  const MapMeasures measures = MeasureComplex(*report->complex, in.position);
+  report->quality = ToQualityFigures(measures);
+  if (files.empty()) return Status();
+  return WriteMeasureFiles(files, in.position, FanTriangulate(in)->vertex, measures);
 }
 
 int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
@@ -123,9 +128,9 @@ int VerifyFiles(const std::vector<std::string>& files) {
   }
   const StatusOr<std::vector<MeasureFile>> measures = ParseMeasureFiles(FLAGS_measures);
   if (!measures.ok()) return Complain(measures.status().In("--measures"));
-  const StatusOr<MapReport> report = VerifyMap(*in, *out, options);
+  StatusOr<MapReport> report = VerifyMap(*in, *out, options);
   if (!report.ok()) return Complain(report.status());
-  if (Status s = WriteMeasures(*measures, *in, *report); !s.ok()) return Complain(s);
+  if (Status s = Measure(*measures, *in, &*report); !s.ok()) return Complain(s);
   return Conclude(*report, report->valid());
 }
 
@@ -140,16 +145,16 @@ int Main(int argc, char** argv) {
   if (std::find(domains.begin(), domains.end(), FLAGS_domain) == domains.end()) {
     return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, domains)));
   }
-  const bool proof = !FLAGS_infeasible.empty();
-  if (files->size() != (proof ? 1u : 2u)) {
+  const bool certificate = !FLAGS_infeasible.empty();
+  if (files->size() != (certificate ? 1u : 2u)) {
     return Complain(Status::InvalidInput(
         fmt::format("{} files given; write verify_map IN OUT, or verify_map --infeasible CERT IN",
                     files->size())));
   }
-  return proof ? VerifyInfeasibility(*files) : VerifyFiles(*files);
+  return certificate ? VerifyInfeasibility(*files) : VerifyFiles(*files);
 }
 
 }  // namespace
-}  // namespace cirque::verify_map
+}  // namespace cirque::verify
 
-int main(int argc, char** argv) { return cirque::verify_map::Main(argc, argv); }
+int main(int argc, char** argv) { return cirque::verify::Main(argc, argv); }

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace cirque::verify_map {
+namespace cirque::verify {
 namespace {
 
 /// The surface in the library's numbering, where halfedge 3 f + k lies opposite corner k and not
@@ -53,4 +53,14 @@ Index WorstTriangle(const MapMeasures& measures) {
   return worst;
 }
 
-}  // namespace cirque::verify_map
+QualityFigures ToQualityFigures(const MapMeasures& measures) {
+  QualityFigures quality;
+  quality.lines = FormatFigures(measures);
+  for (const MapMeasures::Figure& figure : measures.figures) {
+    quality.values.emplace_back(figure.name, figure.value);
+  }
+  quality.worst_triangle = WorstTriangle(measures);
+  return quality;
+}
+
+}  // namespace cirque::verify

@@ -13,9 +13,9 @@
 #include "cirque/domains/domain.h"
 #include "cirque/io/io.h"
 #include "cirque/pipeline/certificate.h"
+#include "cirque/verify/infeasibility_check.h"
 
 #include "experiments/circle_patterns/run.h"
-#include "experiments/verify_map/infeasibility_check.h"
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
@@ -43,11 +43,10 @@ class InfeasibleEndToEnd : public ::testing::Test {
     return text.str();
   }
 
-  verify_map::InfeasibilityReport Check(const PolygonSoup& soup,
-                                        const std::string& certificate) const {
-    const auto proof = verify_map::ReadInfeasibilityCertificate(Path(certificate));
+  verify::InfeasibilityReport Check(const PolygonSoup& soup, const std::string& certificate) const {
+    const auto proof = verify::ReadInfeasibilityCertificate(Path(certificate));
     EXPECT_TRUE(proof.ok()) << proof.status().message();
-    const auto report = verify_map::CheckInfeasibility(*proof, soup);
+    const auto report = verify::CheckInfeasibility(*proof, soup);
     EXPECT_TRUE(report.ok()) << report.status().message();
     return *report;
   }
@@ -145,7 +144,7 @@ TEST_F(InfeasibleEndToEnd, AProofAboutADiskThatClaimsTooMuchIsRejected) {
       MustFail(SurfaceOf(soup), RequestFor("disk", {}, on_input), StatusCode::kInfeasible)
           .infeasibility;
   const auto rejection = [&](const InfeasibilityCertificate& bad) {
-    return verify_map::CheckInfeasibility(bad, soup)->Verdict();
+    return verify::CheckInfeasibility(bad, soup)->Verdict();
   };
   EXPECT_THAT(rejection(good), StartsWith("accepted"));
   InfeasibilityCertificate bad = good;

@@ -1,0 +1,151 @@
+#include "cirque/verify/boundary_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/verify/findings.h"
+
+namespace cirque::verify {
+namespace {
+
+double UvLength(const UvComplex& complex, Index h) {
+  return (complex.Tip(h) - complex.Tail(h)).norm();
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+SeamAgreement CompareSeams(const UvComplex& complex) {
+  struct Side {
+    Index halfedge;
+    double log_ratio;  ///< of the length in the patch of smaller number to the other
+  };
+  std::map<std::pair<Index, Index>, std::vector<Side>> sides_of;
+  SeamAgreement result;
+  for (Index h = 0; h < static_cast<Index>(complex.uv.size()); ++h) {
+    const Index t = complex.surface.twin[h];
+    if (t < h || !complex.IsSeam(h)) continue;
+    ++result.num_edges;
+    const Index a = complex.patch[h / 3], b = complex.patch[t / 3];
+    const double ratio = std::log(UvLength(complex, h)) - std::log(UvLength(complex, t));
+    sides_of[std::minmax(a, b)].push_back({h, a <= b ? ratio : -ratio});
+  }
+  for (const auto& [patches, sides] : sides_of) {
+    std::vector<double> ratios;
+    for (const Side& side : sides) ratios.push_back(side.log_ratio);
+    const double scale = patches.first == patches.second ? 0.0 : Median(std::move(ratios));
+    for (const Side& side : sides) {
+      const double difference = std::abs(std::expm1(side.log_ratio - scale));
+      if (difference <= result.largest_difference) continue;
+      result.largest_difference = difference;
+      result.worst_halfedge = side.halfedge;
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// The boundary halfedge that begins where the boundary halfedge h ends.
+Index Follow(const UvComplex& complex, Index h) {
+  Index next = FanMesh::Next(h);
+  while (complex.surface.twin[next] != kNone) next = FanMesh::Next(complex.surface.twin[next]);
+  return next;
+}
+
+double EnclosedArea(const UvComplex& complex, const std::vector<Index>& loop) {
+  double twice = 0;
+  for (const Index h : loop) {
+    const Point &a = complex.Tail(h), &b = complex.Tip(h);
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
+/// The halfedges of the boundary loop that encloses the largest area.
+std::vector<Index> OutermostLoop(const UvComplex& complex) {
+  std::vector<bool> seen(complex.uv.size(), false);
+  std::vector<Index> outermost;
+  double largest = -HUGE_VAL;
+  for (Index start = 0; start < static_cast<Index>(seen.size()); ++start) {
+    if (complex.surface.twin[start] != kNone || seen[start]) continue;
+    std::vector<Index> loop;
+    for (Index h = start; !seen[h]; h = Follow(complex, h)) {
+      seen[h] = true;
+      loop.push_back(h);
+    }
+    const double area = EnclosedArea(complex, loop);
+    if (area > largest) outermost = loop;
+    largest = std::max(largest, area);
+  }
+  return outermost;
+}
+
+/// x^2 + y^2 - 1 from exact products, halved: | |p| - 1 | to rounding of its own size.
+double CircleError(const Point& p) {
+  const double x2 = p.x() * p.x(), y2 = p.y() * p.y();
+  const double rest = std::fma(p.x(), p.x(), -x2) + std::fma(p.y(), p.y(), -y2);
+  const double larger = std::max(x2, y2), smaller = std::min(x2, y2);
+  return std::abs(((larger - 1) + smaller + rest) / (1 + p.norm()));
+}
+
+bool IsLowerHalf(const Point& p) { return p.y() < 0 || (p.y() == 0 && p.x() < 0); }
+
+/// Whether a has a smaller angle in [0, 2 pi) than b, exactly.
+bool Precedes(const Point& a, const Point& b) {
+  if (IsLowerHalf(a) != IsLowerHalf(b)) return IsLowerHalf(b);
+  return Orientation(Point(0, 0), a, b) > 0;
+}
+
+}  // namespace
+
+DiskFit FitDisk(const UvComplex& complex, double tolerance) {
+  DiskFit fit;
+  for (const Index h : OutermostLoop(complex)) {
+    ++fit.num_vertices;
+    const Point &a = complex.Tail(h), &b = complex.Tip(h);
+    const double error = CircleError(a);
+    if (error > tolerance) fit.off_circle.push_back(complex.mesh().Tail(h));
+    if (fit.farthest == kNone || error > fit.largest_error) {
+      fit.largest_error = error;
+      fit.farthest = complex.mesh().Tail(h);
+    }
+    if (Precedes(a, b)) continue;
+    ++fit.turns;
+    if (Orientation(Point(0, 0), b, a) >= 0) fit.out_of_order.push_back(complex.mesh().Tip(h));
+  }
+  return fit;
+}
+
+std::vector<std::string> DiskErrors(const UvComplex& complex, const DiskFit& fit,
+                                    double tolerance) {
+  std::vector<std::string> errors;
+  if (fit.num_vertices == 0) return {"no boundary: the surface is no disk"};
+  if (complex.num_patches != 1) errors.push_back("seams cut the disk into several pieces");
+  if (!fit.off_circle.empty()) {
+    errors.push_back(fmt::format(
+        "{} of the boundary off the unit circle ({}): by up to {:.3g} at {}, {:.3g} allowed",
+        Count(fit.off_circle.size(), "vertex"), IdList(fit.off_circle), fit.largest_error,
+        fit.farthest, tolerance));
+  }
+  if (fit.turns != 1) {
+    errors.push_back(
+        fmt::format("the boundary does not go round the circle once, in order: {} turns; not after "
+                    "the one before: {}",
+                    fit.turns, IdList(fit.out_of_order)));
+  }
+  return errors;
+}
+
+}  // namespace cirque::verify

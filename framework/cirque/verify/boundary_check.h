@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cirque/verify/angle_check.h"
+#include "cirque/verify/uv_plane.h"
+
+namespace cirque::verify {
+
+/// How well the two sides of the seams agree.
+struct SeamAgreement {
+  Index num_edges = 0;
+  double largest_difference = kUnknown;  ///< relative, of the two lengths of one edge
+  Index worst_halfedge = kNone;
+};
+/// Two sides in one patch must have one length; sides in two patches one ratio, the same (the
+/// median) along all that the two patches have in common, since each patch may have its own scale.
+SeamAgreement CompareSeams(const UvComplex& complex);
+
+/// How the boundary of a map lies on the unit circle. With several loops: that of the outermost
+/// one, which encloses the largest area.
+struct DiskFit {
+  Index num_vertices = 0;         ///< of the loop
+  double largest_error = 0;       ///< max | |uv| - 1 |
+  Index farthest = kNone;         ///< vertex where
+  std::vector<Index> off_circle;  ///< vertices with a larger error than allowed
+  /// How often the loop, counter-clockwise from each vertex to the next, passes angle 0: once where
+  /// the vertices are in order and no two have the same angle.
+  int turns = 0;
+  std::vector<Index> out_of_order;  ///< vertices less than a half turn behind the one before
+};
+
+/// Judges the map of a surface without seams; the order by exact orientation about 0.
+DiskFit FitDisk(const UvComplex& complex, double tolerance);
+
+/// What is wrong: off the circle, out of order, not once round; seams.
+std::vector<std::string> DiskErrors(const UvComplex& complex, const DiskFit& fit, double tolerance);
+
+}  // namespace cirque::verify

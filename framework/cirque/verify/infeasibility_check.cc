@@ -1,0 +1,193 @@
+#include "cirque/verify/infeasibility_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <fmt/format.h>
+
+#include "cirque/verify/topology.h"
+
+namespace cirque::verify {
+namespace {
+
+using boost::multiprecision::cpp_rational;
+
+/// Integers count multiples of 2^-1074, the smallest double: every finite double is one, and sums
+/// of them stay exact without the common divisors a rational would look for at every addition.
+using Fixed = boost::multiprecision::cpp_int;
+constexpr int kFractionBits = 1074;
+
+Fixed ToFixed(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);  // x = fraction * 2^exponent
+  Fixed mantissa = static_cast<long long>(std::ldexp(fraction, 53));
+  const int shift = exponent - 53 + kFractionBits;
+  if (shift >= 0) return mantissa << shift;
+  // A subnormal: its last bits are zero, so that the division is exact.
+  return mantissa / (Fixed(1) << -shift);
+}
+
+double Rounded(const Fixed& twice_scaled) {
+  return cpp_rational(twice_scaled, Fixed(1) << (2 * kFractionBits)).convert_to<double>();
+}
+
+void Expect(bool condition, const std::string& message, InfeasibilityReport* report) {
+  if (!condition) report->errors.push_back(message);
+}
+
+void CheckNumbers(const std::string& key, const std::vector<double>& values, std::size_t size,
+                  InfeasibilityReport* report) {
+  Expect(values.size() == size,
+         fmt::format("{} has {} entries instead of {}", key, values.size(), size), report);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    return report->errors.push_back(fmt::format("{}[{}] is not finite", key, i));
+  }
+}
+
+void CheckIds(const std::string& key, const std::vector<Index>& ids, Index end, bool increasing,
+              InfeasibilityReport* report) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i] < 0 || ids[i] >= end) {
+      return report->errors.push_back(
+          fmt::format("{}[{}] = {} does not exist; there are {}", key, i, ids[i], end));
+    }
+    if (increasing && i > 0 && ids[i] <= ids[i - 1]) {
+      return report->errors.push_back(fmt::format("{}[{}] = {} does not increase", key, i, ids[i]));
+    }
+  }
+}
+
+void CheckIntervals(const InfeasibilityCertificate& certificate, InfeasibilityReport* report) {
+  for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
+    if (certificate.lower_over_pi[i] <= certificate.upper_over_pi[i]) continue;
+    return report->errors.push_back(fmt::format(
+        "the interval of vertex {} is empty: [{}, {}] pi", certificate.constrained_vertex[i],
+        certificate.lower_over_pi[i], certificate.upper_over_pi[i]));
+  }
+}
+
+void CheckForm(const InfeasibilityCertificate& certificate, const FanMesh& mesh,
+               InfeasibilityReport* report) {
+  const double epsilon = certificate.epsilon_over_pi;
+  Expect(epsilon >= 0 && epsilon < 1.0 / 3,
+         fmt::format("epsilon_over_pi = {} is not in [0, 1/3): no triangle has such angles anyway",
+                     epsilon),
+         report);
+  const std::size_t num_constrained = certificate.constrained_vertex.size();
+  CheckNumbers("face_multiplier", certificate.face_multiplier,
+               static_cast<std::size_t>(mesh.num_triangles()), report);
+  CheckNumbers("vertex_multiplier", certificate.vertex_multiplier, num_constrained, report);
+  CheckNumbers("lower_over_pi", certificate.lower_over_pi, num_constrained, report);
+  CheckNumbers("upper_over_pi", certificate.upper_over_pi, num_constrained, report);
+  CheckIds("constrained_vertex", certificate.constrained_vertex, mesh.num_vertices, true, report);
+  CheckIds("carrying_faces", certificate.carrying_faces, mesh.num_triangles(), false, report);
+  CheckIds("carrying_vertices", certificate.carrying_vertices, mesh.num_vertices, false, report);
+  if (report->accepted()) CheckIntervals(certificate, report);
+}
+
+/// Sorts the constrained vertices by what is asked of them.
+void NameConstraints(const InfeasibilityCertificate& certificate, const Surface& surface,
+                     InfeasibilityReport* report) {
+  const FanMesh& mesh = surface.mesh;
+  std::vector<Index> corners(mesh.num_vertices, 0);
+  std::vector<bool> on_boundary(mesh.num_vertices, false);
+  for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
+    ++corners[mesh.Tail(h)];
+    if (surface.twin[h] == kNone) on_boundary[mesh.Tail(h)] = on_boundary[mesh.Tip(h)] = true;
+  }
+  for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
+    const Index v = certificate.constrained_vertex[i];
+    const double lower = certificate.lower_over_pi[i], upper = certificate.upper_over_pi[i];
+    if (corners[v] == 0) {
+      report->errors.push_back(fmt::format("constrained vertex {} belongs to no triangle", v));
+    } else if (on_boundary[v]) {
+      if (lower > 0 || upper < corners[v]) report->prescribed.push_back(v);
+    } else if (lower == 2 && upper == 2) {
+      ++report->num_flat;
+    } else {
+      report->cones.push_back(v);
+    }
+  }
+}
+
+/// The two sides, as multiples of 2^-2148, and whether (A'y)_e is not zero for some e.
+struct Sides {
+  Fixed left, right;
+  bool some_nonzero = false;
+};
+
+/// The maximum over Q_e of p a_l + q a_r is taken at a corner: eps (p + q) + (1 - 3 eps) max(0, p,
+/// q); over [eps, 1 - eps] that of p a is eps p + (1 - 2 eps) max(0, p). So only sums of
+/// multipliers are needed, and epsilon enters once at the end.
+Sides SumSides(const InfeasibilityCertificate& certificate, const Surface& surface) {
+  const FanMesh& mesh = surface.mesh;
+  std::vector<double> of_vertex(mesh.num_vertices, 0.0);
+  Sides sides;
+  for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
+    const double y = certificate.vertex_multiplier[i];
+    of_vertex[certificate.constrained_vertex[i]] = y;
+    sides.left +=
+        ToFixed(y) * ToFixed(y > 0 ? certificate.lower_over_pi[i] : certificate.upper_over_pi[i]);
+  }
+  for (const double y : certificate.face_multiplier) sides.left += ToFixed(y) << kFractionBits;
+  const auto opposite = [&](Index h) {
+    return Fixed(ToFixed(certificate.face_multiplier[h / 3]) +
+                 ToFixed(of_vertex[mesh.vertex[FanMesh::Prev(h)]]));
+  };
+  Fixed sum = 0, inner_maxima = 0, boundary_maxima = 0;
+  for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
+    const Fixed p = opposite(h);
+    sum += p;
+    sides.some_nonzero = sides.some_nonzero || p != 0;
+    const Index t = surface.twin[h];
+    if (t == kNone && p > 0) boundary_maxima += p;
+    if (t < h) continue;
+    const Fixed larger = std::max(p, opposite(t));
+    if (larger > 0) inner_maxima += larger;
+  }
+  const Fixed one = Fixed(1) << kFractionBits, epsilon = ToFixed(certificate.epsilon_over_pi);
+  sides.right =
+      epsilon * sum + (one - 3 * epsilon) * inner_maxima + (one - 2 * epsilon) * boundary_maxima;
+  return sides;
+}
+
+void CheckInequality(const InfeasibilityCertificate& certificate, const Surface& surface,
+                     InfeasibilityReport* report) {
+  const Sides sides = SumSides(certificate, surface);
+  report->evaluated = true;
+  const Fixed margin = sides.left - sides.right;
+  report->left = Rounded(sides.left);
+  report->right = Rounded(sides.right);
+  report->margin = Rounded(margin);
+  const bool open = certificate.epsilon_over_pi == 0 && sides.some_nonzero;
+  if (margin > 0 || (open && margin == 0)) return;
+  report->errors.push_back(
+      fmt::format("the inequality fails: left side - right side = {:.6g}, which should be positive",
+                  report->margin));
+}
+
+}  // namespace
+
+StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& given,
+                                                 const PolygonSoup& in) {
+  StatusOr<FanMesh> mesh = FanTriangulate(in);
+  if (!mesh.ok()) return mesh.status().In("IN");
+  StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
+  if (!surface.ok()) return surface.status().In("IN");
+  InfeasibilityReport report;
+  report.num_triangles = surface->mesh.num_triangles();
+  report.epsilon_over_pi = given.epsilon_over_pi;
+  report.removed_vertex = given.removed_vertex;
+  InfeasibilityCertificate certificate = given;
+  CheckForm(certificate, surface->mesh, &report);
+  if (report.accepted() && certificate.removed_vertex != kNone) {
+    RemoveVertex(&*surface, &certificate, &report);
+  }
+  if (report.accepted()) NameConstraints(certificate, *surface, &report);
+  if (report.accepted()) CheckInequality(certificate, *surface, &report);
+  return report;
+}
+
+}  // namespace cirque::verify
