@@ -1,4 +1,4 @@
-// The yardsticks as a user runs them: reference_factorization and experiments/beside.
+// The yardsticks as a user runs them: the studies reference_factorization and lower_bound.
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ class ReferenceFactorizationTest : public ::testing::Test {
 };
 
 TEST_F(ReferenceFactorizationTest, TimesAMesh) {
-  const ProgramResult result = RunProgram("reference_factorization --repeats=2 " + mesh_);
+  const ProgramResult result = RunProgram("studies reference_factorization --repeats=2 " + mesh_);
   std::smatch seconds;
   ASSERT_TRUE(std::regex_search(result.output, seconds,
                                 std::regex("2000 triangles +([0-9.]+) s wall +([0-9.]+) s CPU")))
@@ -34,10 +34,9 @@ TEST_F(ReferenceFactorizationTest, TimesAMesh) {
   EXPECT_GT(std::stod(seconds[2]), 0);
 }
 
-TEST_F(ReferenceFactorizationTest, TheFloorWritesWhatAMapWould) {
+TEST_F(ReferenceFactorizationTest, TheLowerBoundWritesWhatAMapWould) {
   const std::string out = folder_.Path("out.obj");
-  ASSERT_EQ(RunProgram("reference_factorization --floor --output=" + out + " " + mesh_).exit_status,
-            0);
+  ASSERT_EQ(RunProgram("studies lower_bound --output=" + out + " " + mesh_).exit_status, 0);
   const PolygonSoup before = *ReadMesh(mesh_), after = *ReadMesh(out);
   EXPECT_EQ(after.position, before.position);
   EXPECT_EQ(after.corner, before.corner);
@@ -48,17 +47,16 @@ TEST_F(ReferenceFactorizationTest, TheFloorWritesWhatAMapWould) {
   }
 }
 
-TEST_F(ReferenceFactorizationTest, SaysWhatTheFloorNeeds) {
-  const ProgramResult result = RunProgram("reference_factorization --floor " + mesh_);
+TEST_F(ReferenceFactorizationTest, SaysWhatTheLowerBoundNeeds) {
+  const ProgramResult result = RunProgram("studies lower_bound " + mesh_);
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_THAT(result.output, HasSubstr("--floor needs --output"));
+  EXPECT_THAT(result.output, HasSubstr("one mesh and --output are needed"));
 }
 
-TEST_F(ReferenceFactorizationTest, ABrokenMeshLeavesNoFloor) {
+TEST_F(ReferenceFactorizationTest, ABrokenMeshLeavesNoLowerBound) {
   const std::string out = folder_.Path("out.obj");
   const std::string broken = folder_.Write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
-  EXPECT_EQ(
-      RunProgram("reference_factorization --floor --output=" + out + " " + broken).exit_status, 2);
+  EXPECT_EQ(RunProgram("studies lower_bound --output=" + out + " " + broken).exit_status, 2);
   EXPECT_FALSE(ReadMesh(out).ok());
 }
 

@@ -129,7 +129,7 @@ TEST_F(SphereProgramsTest, BadOptionsAreExitStatusTwoAndLeaveNothing) {
            {"verify_map --domain=spere " + in + " " + in, "did you mean 'sphere'"},
            {"verify_map --domain=sphere --radius_tolerance=-1 " + in + " " + in, "tolerance"},
            {"verify_map --domain=sphere " + torus + " " + torus, "V - E + F = 0"},
-           {"lorentz_newton -points=1", "at least 4"}}) {
+           {"studies lorentz -points=1", "at least 4"}}) {
     const ProgramResult result = RunProgram(command);
     EXPECT_EQ(result.exit_status, 2) << command << "\n" << result.output;
     EXPECT_THAT(result.output, HasSubstr(word)) << command;

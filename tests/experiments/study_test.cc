@@ -1,4 +1,4 @@
-// experiments/study: the tables it makes of records, against records whose figures are known.
+// experiments/scripts/make_study: the tables it makes of records, against records whose figures are known.
 #include <cmath>
 #include <fstream>
 
@@ -26,7 +26,7 @@ class StudyTest : public ::testing::Test {
   }
 
   ProgramResult Study(const std::string& name) const {
-    return RunShell(ProjectPath("experiments/study") + " " + name + " --records " + folder_.path() +
+    return RunShell(ProjectPath("experiments/scripts/make_study") + " " + name + " --records " + folder_.path() +
                     " --output " + folder_.Path("out.md"));
   }
 

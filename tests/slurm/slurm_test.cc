@@ -93,7 +93,7 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
 TEST(SlurmScript, PrintsAnArrayThatIsQueuedAgain) {
   const TemporaryFolder folder;
   const std::string config = folder.Write("a study.yaml", kConfig);
-  const ProgramResult script = Shell(ProjectPath("experiments/slurm") + " '" + config +
+  const ProgramResult script = Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " '" + config +
                                      "' --shards 5 --parallel_runs 3 --program " + ProgramFolder() +
                                      "/run_experiment -- --only='*/thin' --sbatch-partition=long");
   ASSERT_EQ(script.exit_status, 0) << script.output;
@@ -111,13 +111,13 @@ TEST(SlurmScript, RefusesMistakesBeforeAnythingIsSubmitted) {
   const std::string bad = folder.Write("bad.yaml", "question: why\n");
   const std::string program = " --program " + ProgramFolder() + "/run_experiment";
   for (const auto& [arguments, message] : std::map<std::string, std::string>{
-           {"", "usage: experiments/slurm CONFIG.yaml"},
+           {"", "usage: experiments/scripts/submit_to_slurm CONFIG.yaml"},
            {config + " --shards 0", "--shards 0: expected a whole number"},
            {config + " --shard 3", "unknown flag '--shard'"},
            {"/nowhere/a.yaml", "/nowhere/a.yaml: there is no such file"},
            {bad + program, "bad.yaml:1:1: the key 'meshes' is missing"},
            {config + program + " -- --only=zzz", "--only=zzz: no run of "}}) {
-    const ProgramResult refused = Shell(ProjectPath("experiments/slurm") + " " + arguments);
+    const ProgramResult refused = Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " " + arguments);
     EXPECT_NE(refused.exit_status, 0) << arguments;
     EXPECT_THAT(refused.output, HasSubstr(message));
   }

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/energy_strategies/problem.h"
+#include "experiments/studies/solver_problem.h"
 #include "tests/common/surfaces.h"
 #include "tests/solver/strategy_fixtures.h"
 

@@ -74,7 +74,7 @@ TEST(Blas, OfCholmodIsOpenBlasInEveryProgram) {
 
 // Or every supernode costs several teams of one thread.
 TEST(Blas, ParallelRegionsOfCholmodEnterTheProgramsOwnWay) {
-  for (const char* name : {"circle_patterns", "run_experiment", "reference_factorization"}) {
+  for (const char* name : {"circle_patterns", "run_experiment", "studies"}) {
     const std::string program = std::filesystem::path(ProgramFolder()) / name;
     EXPECT_THAT(BindingsOfCholmod(program, "GOMP_parallel"), testing::ElementsAre(program));
   }

@@ -1,6 +1,6 @@
 """Plane, sphere, disk and rectangle: outcome, flips, distortion, time."""
-from studies import records
-from studies.records import number, plt, quantiles, table
+from tables import records
+from tables.records import number, plt, quantiles, table
 
 OUTPUT = "domains"
 

@@ -1,4 +1,4 @@
-#include "experiments/energy_strategies/problem.h"
+#include "experiments/studies/solver_problem.h"
 
 #include <filesystem>
 

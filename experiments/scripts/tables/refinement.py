@@ -1,6 +1,6 @@
 """Maps as the circle pattern gives them, refined, and with seams let go: distortion and time."""
-from studies import records
-from studies.records import number, plt, quantiles, shown, table
+from tables import records
+from tables.records import number, plt, quantiles, shown, table
 
 OUTPUT = "refinement"
 REFINED = {"mips": "`mips`", "mean": "`quasi_conformal`"}

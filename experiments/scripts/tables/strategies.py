@@ -1,6 +1,6 @@
 """Iterations, factorizations and time of every strategy against the size of the mesh."""
-from studies import records
-from studies.records import plt, power_fit, shown, table
+from tables import records
+from tables.records import plt, power_fit, shown, table
 
 OUTPUT = "strategies_by_size"
 PROBLEMS = {

@@ -7,7 +7,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/solver/solver_strategy.h"
 
-#include "experiments/energy_strategies/problem.h"
+#include "experiments/studies/solver_problem.h"
 
 namespace cirque {
 
@@ -46,5 +46,15 @@ using TrialCallback = std::function<void(const Trial&)>;
 std::vector<Trial> CompareMethods(const StudyProblem& problem, const std::string& energy,
                                   const std::vector<Method>& methods, const SolveControl& control,
                                   const TrialCallback& told);
+
+/// One Markdown table a mesh: a row an energy and method, with the reason where a method did not
+/// converge.
+std::string StrategyTables(const std::vector<Trial>& trials);
+
+/// One Markdown table of all meshes, of the comparison of least-squares forms.
+std::string LeastSquaresTable(const std::vector<Trial>& trials);
+
+/// All that is known of every trial: {"strategies": [...], "least_squares": [...]}.
+std::string ToJson(const std::vector<Trial>& strategies, const std::vector<Trial>& least_squares);
 
 }  // namespace cirque

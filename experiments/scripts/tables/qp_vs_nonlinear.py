@@ -1,8 +1,8 @@
 """Do the objectives of the angle fit give similar results? The thesis compares `quadratic` and `barrier`."""
 import statistics
 
-from studies import records
-from studies.records import plt, quantiles, shown, table
+from tables import records
+from tables.records import plt, quantiles, shown, table
 
 OUTPUT = "qp_vs_nonlinear"
 OBJECTIVES = ["quadratic", "weighted_quadratic", "barrier", "entropy", "least_squares"]

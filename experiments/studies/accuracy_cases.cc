@@ -1,4 +1,4 @@
-#include "experiments/disk_accuracy/study.h"
+#include "experiments/studies/accuracy_cases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 """Time by stage and memory against size, also as multiples of the reference factorization R of the same mesh."""
-from studies import records
-from studies.records import number, plt, power_fit, table
+from tables import records
+from tables.records import number, plt, power_fit, table
 
 OUTPUT = "scaling"
 STAGES = ["read", "preflight", "triangulation", "angles", "radii", "layout", "measures"]

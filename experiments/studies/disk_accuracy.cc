@@ -1,24 +1,16 @@
 // Maps to the unit disk and to rectangles, refined, against what is known of them.
 #include <cmath>
-#include <iostream>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-#include "cirque/core/atomic_file.h"
+#include "experiments/studies/accuracy_cases.h"
+#include "experiments/studies/studies.h"
 
-#include "experiments/common/blas_threads.h"
-#include "experiments/common/flag_parsing.h"
-#include "experiments/disk_accuracy/study.h"
-
-DEFINE_string(output, "", "file for the tables, in Markdown; empty: standard output");
 DEFINE_int32(levels, 4, "how often the coarsest meshes are refined, and one");
-DECLARE_bool(help);
 
 namespace cirque {
 namespace {
-
-constexpr char kSource[] = "experiments/disk_accuracy/";
 
 using Level = StatusOr<AccuracyRow> (*)(int level);
 
@@ -42,15 +34,11 @@ const std::vector<Case>& Cases() {
   return kTable;
 }
 
-int Conclude(const Status& status) {
-  if (!status.ok()) std::cerr << "disk_accuracy: " << status.message() << "\n";
-  return ExitStatus(status.code());
-}
-
-Status Run(std::string* text) {
+Status MakeTables(std::string* text) {
   *text =
       "# Maps to the unit disk and to rectangles against known ones\n\n"
-      "Made by `disk_accuracy --output=results/disk_accuracy.md`. Order: of the error in the edge "
+      "Made by `studies disk_accuracy --output=results/disk_accuracy.md`. Order: of the error in "
+      "the edge "
       "length.\n";
   for (const Case& which : Cases()) {
     std::vector<AccuracyRow> rows;
@@ -64,25 +52,16 @@ Status Run(std::string* text) {
   return Status();
 }
 
-int Main(int argc, char** argv) {
-  UseOneBlasThread();
-  const auto others = ParseFlags(argc, argv, kSource);
-  if (!others.ok()) return Conclude(others.status());
-  if (FLAGS_help) {
-    std::cout << FlagHelp(kSource);
-    return 0;
-  }
-  if (!others->empty() || FLAGS_levels < 1 || FLAGS_levels > 8) {
-    return Conclude(Status::InvalidInput("no arguments, and --levels from 1 to 8; see --help"));
+}  // namespace
+
+Status RunDiskAccuracy(const StudyCall& call) {
+  if (Status s = NoArguments(call); !s.ok()) return s;
+  if (FLAGS_levels < 1 || FLAGS_levels > 8) {
+    return Status::InvalidInput(fmt::format("--levels={}: 1 to 8 are possible", FLAGS_levels));
   }
   std::string text;
-  if (Status s = Run(&text); !s.ok()) return Conclude(s);
-  if (!FLAGS_output.empty()) return Conclude(WriteFileAtomically(FLAGS_output, text));
-  std::cout << text;
-  return 0;
+  if (Status s = MakeTables(&text); !s.ok()) return s;
+  return Deliver(text);
 }
 
-}  // namespace
 }  // namespace cirque
-
-int main(int argc, char** argv) { return cirque::Main(argc, argv); }

@@ -129,7 +129,7 @@ def power_fit(sizes, values):
 
 def write(path, study, text):
     """The whole page or nothing."""
-    head = f"<!-- Written by `experiments/study {study}` from the records of configs/{study}.yaml. -->\n\n"
+    head = f"<!-- Written by `experiments/scripts/make_study {study}` from the records of configs/{study}.yaml. -->\n\n"
     path = pathlib.Path(path)
     temporary = path.with_name(path.name + f".tmp.{os.getpid()}")
     temporary.write_text(head + text.rstrip() + "\n")

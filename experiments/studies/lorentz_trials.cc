@@ -1,4 +1,4 @@
-#include "experiments/lorentz_newton/study.h"
+#include "experiments/studies/lorentz_trials.h"
 
 #include <cmath>
 #include <numeric>

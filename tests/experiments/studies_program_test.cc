@@ -1,0 +1,63 @@
+// The program `studies` as a user runs it: its subcommands, their flags and refusals.
+#include <iterator>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/common/run_program.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(StudiesProgram, HelpNamesEveryStudyAndEachExplainsItself) {
+  const ProgramResult all = RunProgram("studies --help");
+  EXPECT_EQ(all.exit_status, 0);
+  for (const char* name :
+       {"strategies", "lorentz", "disk_accuracy", "reference_factorization", "lower_bound"}) {
+    EXPECT_THAT(all.output, HasSubstr(name));
+    const ProgramResult one = RunProgram(std::string("studies ") + name + " --help");
+    EXPECT_EQ(one.exit_status, 0) << name;
+    EXPECT_THAT(one.output, HasSubstr("--output")) << name;
+  }
+  const ProgramResult lorentz = RunProgram("studies lorentz --help");
+  EXPECT_THAT(lorentz.output, HasSubstr("--points"));
+  EXPECT_THAT(lorentz.output, Not(HasSubstr("--levels")));
+}
+
+TEST(StudiesProgram, RefusesWhatItDoesNotKnowWithWhatWasMeant) {
+  for (const auto& [arguments, word] : std::vector<std::pair<std::string, std::string>>{
+           {"", "which study?"},
+           {"lorenz", "did you mean 'lorentz'"},
+           {"lorentz --levels=2", "--levels is no flag of lorentz"},
+           {"lorentz --pionts=9", "did you mean 'points'"},
+           {"lorentz mesh.obj", "unexpected argument 'mesh.obj'"},
+           {"disk_accuracy --levels=9", "1 to 8"},
+           {"strategies", "no mesh given"},
+           {"strategies none.obj", "none.obj"},
+           {"reference_factorization", "no mesh given"},
+           {"reference_factorization --repeats=0 a.obj", "from 1 on"},
+           {"reference_factorization --subdivisions=-1 a.obj", "from 0 on"},
+           {"reference_factorization --output=o.obj a.obj b.obj", "takes one mesh"},
+           {"lower_bound a.obj", "one mesh and --output"}}) {
+    const ProgramResult result = RunProgram("studies " + arguments);
+    EXPECT_EQ(result.exit_status, 2) << arguments << "\n" << result.output;
+    EXPECT_THAT(result.output, HasSubstr(word)) << arguments;
+  }
+}
+
+// Re-centred, Newton's method does not care how close to one another the points are.
+TEST(StudiesProgram, LorentzConvergesAtEveryScaleWhereTheThesisLeavesTheBall) {
+  const ProgramResult result = RunProgram("studies lorentz --points=50");
+  EXPECT_EQ(result.exit_status, 0);
+  const std::regex converged(R"(\| 1e[+-]\d\d \| \d+ \| [0-9.e-]+ \| converged \|)");
+  const auto first = std::sregex_iterator(result.output.begin(), result.output.end(), converged);
+  EXPECT_EQ(std::distance(first, std::sregex_iterator()), 13) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("left the ball"));
+}
+
+}  // namespace
+}  // namespace cirque
