@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -357,6 +358,25 @@ TEST(RunExperimentConfig, PatternsAndPathsStartAtTheFolderThatHoldsConfigs) {
   EXPECT_THAT(LabelsOf(*config), ElementsAre("a/a", "b/a"));
   EXPECT_EQ(config->cells[0].mesh.file, folder.path() + "/project/meshes/a.obj");
   EXPECT_EQ(config->output, folder.path() + "/project/results/runs/x");
+}
+
+TEST(RunExperimentConfig, MeshesStandsForTheFolderOfTheEnvironmentOrForOneInTheProject) {
+  const TemporaryFolder folder;
+  folder.Write("project/meshes/a.obj", "a");
+  folder.Write("elsewhere/b.obj", "b");
+  const std::string path =
+      folder.Write("project/configs/x.yaml", Config("file: $MESHES/*.obj", kMethod));
+  const char* const before = std::getenv("CIRQUE_MESHES");
+  const std::string kept = before ? before : "";
+  unsetenv("CIRQUE_MESHES");
+  const StatusOr<ExperimentConfig> own = LoadConfig(path);
+  setenv("CIRQUE_MESHES", (folder.path() + "/elsewhere").c_str(), 1);
+  const StatusOr<ExperimentConfig> other = LoadConfig(path);
+  before ? setenv("CIRQUE_MESHES", kept.c_str(), 1) : unsetenv("CIRQUE_MESHES");
+  ASSERT_TRUE(own.ok()) << own.status().message();
+  EXPECT_EQ(own->cells[0].mesh.file, folder.path() + "/project/meshes/a.obj");
+  ASSERT_TRUE(other.ok()) << other.status().message();
+  EXPECT_EQ(other->cells[0].mesh.file, folder.path() + "/elsewhere/b.obj");
 }
 
 TEST(RunExperimentConfig, OptionalMeshesAreSkippedWithAWord) {

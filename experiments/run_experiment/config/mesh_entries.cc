@@ -2,9 +2,11 @@
 
 #include <glob.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -24,8 +26,17 @@ std::string TextOf(const YAML::Node& entry, const std::string& key) {
   return value && value.IsScalar() ? value.Scalar() : "";
 }
 
+/// The folder that $MESHES stands for: collections of meshes lie elsewhere on every machine.
+fs::path MeshFolder(const std::string& root) {
+  const char* folder = std::getenv("CIRQUE_MESHES");
+  return folder && *folder ? fs::absolute(folder) : fs::path(root) / "meshes";
+}
+
 std::string Absolute(const std::string& root, const std::string& path) {
-  return (fs::path(root) / path).lexically_normal().string();
+  constexpr std::string_view kMeshes = "$MESHES/";
+  const fs::path whole = path.starts_with(kMeshes) ? MeshFolder(root) / path.substr(kMeshes.size())
+                                                   : fs::path(root) / path;
+  return whole.lexically_normal().string();
 }
 
 /// The files that match, sorted; a path without wildcards matches itself if it exists.

@@ -51,7 +51,8 @@ Schema MeshFields() {
   const GeneratorOptions generator;
   return {
       {.path = "meshes.file",
-       .help = "a mesh file or a pattern such as ../meshes/*.obj",
+       .help = "a mesh file or a pattern such as ../meshes/*.obj; $MESHES/ is the folder that the "
+               "environment's CIRQUE_MESHES names, else meshes/",
        .one_of = "source"},
       {.path = "meshes.archive",
        .help = "an archive (tar.gz, zip, ...) or compressed file that holds the mesh",

@@ -18,7 +18,7 @@ constexpr char kExample[] =
     "\nExample:\n"
     "  question: Does a larger margin cost conformality?\n"
     "  meshes:\n"
-    "    - file: ../shared/meshes/bff-*.obj\n"
+    "    - file: $MESHES/bff-*.obj\n"
     "      optional: true\n"
     "    - generator: bumpy_terrain\n"
     "      triangles: [1000, 4000]\n"
