@@ -3,6 +3,7 @@
 #include "cirque/energy/angle_objective.h"
 #include "cirque/generators/generators.h"
 #include "cirque/layout/map_objective.h"
+#include "cirque/pipeline/certificate_fields.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -21,10 +22,11 @@ void TimePipeline(benchmark::State& state, const std::string& generator,
     map = {};
     status = Parameterize(surface, {options}, {}, &map);
   }
+  const std::map<std::string, double> numbers = NumbersOf(map.certificate);
   for (const char* name : {"angle_iterations", "angle_factorizations", "radii_iterations",
                            "radii_factorizations", "cones"}) {
-    const auto value = map.certificate.values.find(name);
-    if (value != map.certificate.values.end()) state.counters[name] = value->second;
+    const auto value = numbers.find(name);
+    if (value != numbers.end()) state.counters[name] = value->second;
   }
   state.counters["mapped"] = status.ok();
   CountFaces(state, surface.triangulation.num_faces());

@@ -5,6 +5,8 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/linear/multigrid.h"
+#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/flags.h"
 #include "experiments/circle_patterns/run.h"
@@ -48,6 +50,10 @@ int Main(int argc, char** argv) {
   if (Status s = flags.Parse({argv + 1, argv + argc}); !s.ok()) return Conclude(s);
   if (flags.settings().help) {
     std::cout << kUsage << "\n" << flags.Help();
+    return 0;
+  }
+  if (flags.certificate_help()) {
+    std::cout << CertificateReference();
     return 0;
   }
   const StatusOr<CirclePatternsJob> job = flags.Job();

@@ -82,7 +82,7 @@ Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Param
   if (job.flip_back) {
     const FlippedBack back = FlipBack(flat.intrinsic, flat.intrinsic_lengths);
     status = WriteCon(job.con, back.triangulation, back.lengths);
-    map->certificate.values["flip_back_stuck"] = static_cast<double>(back.stuck.size());
+    Fill(&map->certificate.triangulation).flip_back_stuck = static_cast<int>(back.stuck.size());
     report << fmt::format("flip-back   {} of {} flips stay", back.stuck.size(),
                           flat.intrinsic.flips.size());
     report << (back.stuck.empty() ? "\n" : ": edges " + IdList(back.stuck) + " (0-based)\n");

@@ -1,7 +1,5 @@
 #include "experiments/circle_patterns/run.h"
 
-#include <sys/resource.h>
-
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -18,16 +16,10 @@
 #include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/outputs.h"
 #include "experiments/circle_patterns/summary.h"
+#include "experiments/common/resource_use.h"
 
 namespace cirque {
 namespace {
-
-/// Of this process so far; Linux counts in kilobytes.
-double PeakMemoryInMegabytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// The surface to solve on where holes are to be filled; nothing otherwise.
 StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
@@ -67,8 +59,8 @@ std::string CertificatePath(const CirclePatternsJob& job) {
 
 Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
                         Certificate* certificate, const Status& status, std::ostream& report) {
-  certificate->values["peak_memory_mb"] = PeakMemoryInMegabytes();
-  certificate->seconds["process"] = timer.Seconds();
+  certificate->process = ProcessSummary{PeakMemoryMib()};
+  certificate->seconds.process = timer.Seconds();
   const std::string path = CertificatePath(job);
   if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
   report << "certificate " << path << "\n";
@@ -104,16 +96,16 @@ Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& contr
   if (status.code() == StatusCode::kInvalidInput) return status.In(job.input);
   if (status.code() == StatusCode::kCancelled) return status;
   Certificate& certificate = map.ok() ? map->certificate : failed;
-  certificate.seconds["read"] = read_seconds;
-  certificate.seconds["preflight"] = preflight_seconds;
+  certificate.seconds.read = read_seconds;
+  certificate.seconds.preflight = preflight_seconds;
   if (map.ok()) {
     report << Summary(certificate);
     const Timer write_timer;
     const Input input = {*soup, *surface, *filled ? &**filled : nullptr};
     if (Status s = WriteOutputs(job, input, report, &*map); !s.ok()) return s;
-    certificate.seconds["write"] = write_timer.Seconds();
+    certificate.seconds.write = write_timer.Seconds();
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
-                          PeakMemoryInMegabytes());
+                          PeakMemoryMib());
   }
   return WriteCertificate(job, solved, timer, &certificate, status, report);
 }

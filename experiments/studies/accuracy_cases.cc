@@ -158,7 +158,7 @@ StatusOr<AccuracyRow> ModulusError(const Quadrilateral& quadrilateral) {
   request.shape.corners = quadrilateral.corners;  // as in the file: no vertex is isolated
   const StatusOr<SurfaceMap> map = MapSurface(*surface, request);
   if (!map.ok()) return map.status();
-  const double modulus = map->certificate.values.at("conformal_modulus");
+  const double modulus = *map->certificate.polygon->conformal_modulus;
   return AccuracyRow{surface->triangulation.num_faces(), modulus,
                      std::abs(modulus - quadrilateral.modulus)};
 }

@@ -124,7 +124,7 @@ TEST(AngleMeasure, FitsLowerItAndItPredictsTheMap) {
       const ConeProblem problem(surface.triangulation, lengths);
       const std::vector<Cone> cones = ConesOf(surface.triangulation, map.targets);
       const double predicted = AngleMeasure(problem).Value(PredictedLogScale(problem, cones));
-      const double mean = map.certificate.values.at("quasi_conformal_mean") - 1;
+      const double mean = map.certificate.distortion->quasi_conformal_mean - 1;
       EXPECT_NEAR(predicted, mean, 0.2 * mean);
       return mean;
     };

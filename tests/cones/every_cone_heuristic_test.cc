@@ -52,7 +52,8 @@ class EveryConeHeuristic : public testing::TestWithParam<Case> {
   }
 
   StatusOr<ConeTargets> Choose() const {
-    return PlaceCones(surface_.triangulation, MeasureEdgeLengths(surface_), {}, options_);
+    const EdgeLengths lengths = MeasureEdgeLengths(surface_);
+    return PlaceCones(MeasureSurface(surface_.triangulation, lengths), {}, options_);
   }
 
   Surface surface_;
@@ -104,8 +105,8 @@ TEST_P(EveryConeHeuristic, EndsInAMap) {
   Parameterization map;
   const Status status = Parameterize(surface_, {options_}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
-  EXPECT_EQ(map.certificate.values.at("flipped_triangles"), 0);
-  EXPECT_LT(map.certificate.values.at("quasi_conformal_mean"), 1.25);
+  EXPECT_EQ(map.certificate.layout->flipped_triangles, 0);
+  EXPECT_LT(map.certificate.distortion->quasi_conformal_mean, 1.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryConeHeuristic, testing::ValuesIn(Cases()),
@@ -120,7 +121,7 @@ TEST(ConeHeuristics, BetterConesAreBetterThanPeaks) {
     options.cone_budget = 12;
     Parameterization map;
     EXPECT_TRUE(Parameterize(surface, {options}, {}, &map).ok()) << name;
-    return map.certificate.values.at("log_area_ratio_l2");
+    return map.certificate.distortion->log_area_ratio_l2;
   };
   const double moving = distortion("moving");
   EXPECT_GT(moving, 0.01);

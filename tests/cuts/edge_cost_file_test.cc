@@ -48,7 +48,7 @@ TEST(CutCosts, TheCutGoesWhereItIsCheap) {
     options.cut_cost = cost;
     Parameterization map;
     ASSERT_TRUE(Parameterize(surface, {options}, {}, &map).ok()) << ToWord(cost);
-    EXPECT_GT(map.certificate.values.at("cut_length"), 1) << ToWord(cost);
+    EXPECT_GT(map.certificate.layout->cut_length, 1) << ToWord(cost);
   }
   // The edges of the short cut made dear, another one is found, and it is longer.
   std::string text;

@@ -7,6 +7,7 @@
 #include "cirque/generators/known_maps.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/certificate_fields.h"
 
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
@@ -59,9 +60,9 @@ TEST(DiskDomain, GeneratedDisksOfManyShapes) {
     const Surface surface = GeneratedSurface(name, 600);
     const SurfaceMap map = MapTo(surface);
     ExpectDisk(surface, map);
-    EXPECT_EQ(map.certificate.values.at("boundary_spread"), 0);
-    EXPECT_LT(map.certificate.values.at("core_quasi_conformal_mean"), 1.35);
-    EXPECT_LT(map.certificate.values.at("boundary_straightness"), 1e-10);
+    EXPECT_EQ(map.certificate.disk->boundary_spread, 0);
+    EXPECT_LT(map.certificate.disk->core_quasi_conformal_mean, 1.35);
+    EXPECT_LT(map.certificate.disk->boundary_straightness, 1e-10);
   }
 }
 
@@ -75,7 +76,7 @@ TEST(DiskDomain, ChosenCentreAndAngleZeroAreExact) {
   const std::vector<Complex> place = Places(surface, map);
   EXPECT_EQ(place[domain.centre], Complex(0));
   EXPECT_EQ(place[domain.angle_zero], Complex(1));
-  EXPECT_EQ(map.certificate.values.at("centre_vertex"), domain.centre);
+  EXPECT_EQ(map.certificate.disk->centre_vertex, domain.centre);
 }
 
 TEST(DiskDomain, PolesGiveTheSameMapUpToTurningAndDiscretization) {
@@ -105,8 +106,8 @@ TEST(DiskDomain, PolesGiveTheSameMapUpToTurningAndDiscretization) {
 TEST(DiskDomain, HemisphereComesNearItsStereographicImage) {
   const Surface surface = GeneratedSurface("hemisphere", 4000);
   const SurfaceMap map = MapTo(surface);
-  const auto centre = static_cast<Index>(map.certificate.values.at("centre_vertex"));
-  const auto zero = static_cast<Index>(map.certificate.values.at("angle_zero_vertex"));
+  const auto centre = static_cast<Index>(map.certificate.disk->centre_vertex);
+  const auto zero = static_cast<Index>(map.certificate.disk->angle_zero_vertex);
   const auto known = [&](Index v) {
     const Eigen::Vector2d w = StereographicMap().to_plane(surface.position[v]);
     return Complex(w.x(), w.y());
@@ -128,8 +129,8 @@ TEST(DiskDomain, NormalizationsCentreTheirMasses) {
     domain.normalization = name;
     const SurfaceMap map = MapTo(surface, domain);
     ExpectDisk(surface, map);
-    const auto& values = map.certificate.values;
-    EXPECT_LT(values.at(std::string(name) + "_centre_of_mass"), 1e-14) << name;
+    const Certificate& certificate = map.certificate;
+    EXPECT_LT(NumbersOf(certificate).at(std::string(name) + "_centre_of_mass"), 1e-14) << name;
   }
   // The boundary's centre of mass without the program's own sum, weighted by half of either edge.
   domain.normalization = "boundary";
@@ -198,7 +199,7 @@ TEST(DiskDomain, LongLimbIsSpreadAndStillNotFlipped) {
   const Surface strip = FlatStrip(240, 4);
   const SurfaceMap map = MapTo(strip);
   ExpectDisk(strip, map);
-  EXPECT_GT(map.certificate.values.at("boundary_spread"), 0);
+  EXPECT_GT(map.certificate.disk->boundary_spread, 0);
 }
 
 TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
@@ -207,7 +208,7 @@ TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
   EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
   const std::vector<Complex> place = Places(surface, map);
   const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
-  const auto pole = static_cast<Index>(map.certificate.values.at("pole_vertex"));
+  const auto pole = static_cast<Index>(map.certificate.half_plane->pole_vertex);
   for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
     if (boundary[v] && v != pole) {
       EXPECT_EQ(place[v].imag(), 0);

@@ -37,7 +37,7 @@ TEST(RectangleDomain, RectangularGridHasItsOwnModulus) {
   ParameterizeOptions options;
   options.epsilon = 1e-12;  // the grid's diagonals are on the verge of Delaunay
   const SurfaceMap map = MustMap(strip, RequestFor("rectangle", domain, options));
-  EXPECT_NEAR(map.certificate.values.at("conformal_modulus"), 3, 1e-9);
+  EXPECT_NEAR(*map.certificate.polygon->conformal_modulus, 3, 1e-9);
   for (Index h = 0; h < strip.triangulation.num_halfedges(); ++h) {
     const Eigen::Vector3d& p = strip.position[strip.triangulation.vertex[h]];
     EXPECT_NEAR(map.uv.value[h].x(), p.x() / 4, 1e-9);
@@ -55,8 +55,8 @@ TEST(RectangleDomain, OppositeCornersTurnTheModulusOver) {
   const SurfaceMap map = MustMap(surface, RequestFor("rectangle", domain));
   std::rotate(domain.corners.begin(), domain.corners.begin() + 1, domain.corners.end());
   const SurfaceMap turned = MustMap(surface, RequestFor("rectangle", domain));
-  const double modulus = map.certificate.values.at("conformal_modulus");
-  EXPECT_NEAR(modulus * turned.certificate.values.at("conformal_modulus"), 1, 1e-9);
+  const double modulus = *map.certificate.polygon->conformal_modulus;
+  EXPECT_NEAR(modulus * *turned.certificate.polygon->conformal_modulus, 1, 1e-9);
   EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
   // On the sides exactly, in the given order.
   const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
@@ -83,10 +83,10 @@ TEST(PolygonDomain, CornersHaveEqualAnglesAndSidesAreStraight) {
       EXPECT_NEAR(sums[v], wanted, 1e-8);
     }
     EXPECT_EQ(corners, sides);
-    const auto& values = map.certificate.values;
-    EXPECT_LT(values.at("longest_side") / values.at("shortest_side"), 1.5);
+    const Certificate& certificate = map.certificate;
+    EXPECT_LT(certificate.polygon->longest_side / certificate.polygon->shortest_side, 1.5);
     if (sides == 3) {
-      EXPECT_NEAR(values.at("longest_side"), values.at("shortest_side"), 1e-9);
+      EXPECT_NEAR(certificate.polygon->longest_side, certificate.polygon->shortest_side, 1e-9);
     }
   }
 }

@@ -76,7 +76,7 @@ TEST(SphereDomain, RegularPolyhedraStayRegular) {
     for (const Index pole : {0, 3}) {
       const SurfaceMap map = Map(polyhedron, {.pole = pole, .normalization = "uniform"});
       EXPECT_LT(Incongruence(map.position, polyhedron.position), 1e-12) << faces;
-      EXPECT_NEAR(map.certificate.values.at("quasi_conformal_max"), 1, 1e-12);
+      EXPECT_NEAR(map.certificate.distortion->quasi_conformal_max, 1, 1e-12);
     }
   }
 }
@@ -126,8 +126,7 @@ TEST(SphereDomain, EveryNormalizationKeepsItsPromise) {
 TEST(SphereDomain, TheLeastAreaDistortionIsTheLeast) {
   const Surface blob = GeneratedSurface("blob", 1000);
   const auto l2 = [&](const char* name) {
-    return Map(blob, {.pole = 11, .normalization = name})
-        .certificate.values.at("log_area_ratio_l2");
+    return Map(blob, {.pole = 11, .normalization = name}).certificate.distortion->log_area_ratio_l2;
   };
   const double least = l2("least_area_distortion");
   for (const char* name : {"none", "uniform", "surface_area", "image_area"}) {
@@ -137,12 +136,12 @@ TEST(SphereDomain, TheLeastAreaDistortionIsTheLeast) {
 
 TEST(SphereDomain, DistortionDependsLittleOnThePole) {
   const Surface blob = GeneratedSurface("blob", 2000);
-  const double chosen = Map(blob).certificate.values.at("quasi_conformal_mean");
+  const double chosen = Map(blob).certificate.distortion->quasi_conformal_mean;
   EXPECT_LT(chosen, 1.1);
   for (const Index pole : {1, 100, 500}) {
     const SurfaceMap map = Map(blob, {.pole = pole});
-    EXPECT_EQ(map.certificate.values.at("pole"), pole);
-    EXPECT_NEAR(map.certificate.values.at("quasi_conformal_mean"), chosen, 0.002) << pole;
+    EXPECT_EQ(map.certificate.sphere->pole_vertex, pole);
+    EXPECT_NEAR(map.certificate.distortion->quasi_conformal_mean, chosen, 0.002) << pole;
   }
 }
 
@@ -151,7 +150,7 @@ TEST(SphereDomain, TheCirclesAtThePoleIntersectProperlyToo) {
   ParameterizeOptions options;
   options.epsilon = 0.02;
   const SurfaceMap map = Map(blob, {.pole = 40}, options);
-  EXPECT_GE(map.certificate.values.at("delaunay_margin"), 0.02 - 1e-9);
+  EXPECT_GE(*map.certificate.sphere->delaunay_margin, 0.02 - 1e-9);
 }
 
 TEST(SphereDomain, PrincipalAxesUndoARotationOfTheSurface) {
@@ -171,7 +170,7 @@ TEST(SphereDomain, TheInversionAboutThePoleLowersTheDistortion) {
   const auto distortion = [&](bool inversion) {
     DomainOptions options{.pole = 40};
     options.inversion = inversion;
-    return Map(blob, options).certificate.values.at("quasi_conformal_mean");
+    return Map(blob, options).certificate.distortion->quasi_conformal_mean;
   };
   EXPECT_GT(distortion(true), 1);
   EXPECT_LT(distortion(true), distortion(false) - 0.005);
@@ -180,7 +179,7 @@ TEST(SphereDomain, TheInversionAboutThePoleLowersTheDistortion) {
 TEST(SphereDomain, TheSpheresOwnOptionsDistortLess) {
   const Surface blob = GeneratedSurface("blob", 600);
   const auto distortion = [&](const ParameterizeOptions& options) {
-    return Map(blob, {}, options).certificate.values.at("quasi_conformal_mean");
+    return Map(blob, {}, options).certificate.distortion->quasi_conformal_mean;
   };
   EXPECT_LT(distortion(SphereParameterizeOptions()), distortion({}));
 }
@@ -200,7 +199,7 @@ TEST(SphereDomain, AProofNamesTheVertexThatWasRemoved) {
     }
   }
   // Flipped to intrinsic Delaunay it has a map.
-  EXPECT_EQ(Map(kleetope, {.pole = 5}).certificate.values.at("pole"), 5);
+  EXPECT_EQ(Map(kleetope, {.pole = 5}).certificate.sphere->pole_vertex, 5);
 }
 
 TEST(SphereDomain, RefusesWhatIsNoSphere) {

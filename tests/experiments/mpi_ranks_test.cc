@@ -62,7 +62,7 @@ class MpiRanks : public ::testing::Test {
 
 std::string StrategyOf(const std::string& stage, const std::string& certificate) {
   std::ifstream file(certificate);
-  return nlohmann::json::parse(file)["strategies"][stage];
+  return nlohmann::json::parse(file)["solvers"][stage];
 }
 
 TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
@@ -85,7 +85,7 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   for (const std::string name : {"one", "alone", "two"}) {
     EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9);
     // Nothing was factored in secret.
-    for (const char* stage : {"angle", "radii"}) {
+    for (const char* stage : {"angles", "radii"}) {
       EXPECT_EQ(StrategyOf(stage, folder_.Path(name + ".certificate.json")), "newton_amg");
     }
   }

@@ -46,8 +46,8 @@ class FakePipeline {
     result.certificate.outcome = outcome.contains(seed) ? outcome[seed] : "ok";
     if (result.certificate.outcome == "throw") throw std::runtime_error("out of luck");
     result.certificate.message = "say \"hi\", twice\nor more \xff";
-    result.certificate.values = {{"smallest_angle", 0.1 + 1.0 / (3 + seed)}, {"other", kNaN}};
-    result.certificate.seconds = {{"angles", 1e-300}};
+    result.figures = {{"smallest_angle", 0.1 + 1.0 / (3 + seed)}, {"other", kNaN}};
+    result.certificate.seconds.angles = 1e-300;
     return result;
   }
 };

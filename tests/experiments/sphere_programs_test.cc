@@ -106,7 +106,7 @@ TEST_F(SphereProgramsTest, TheCertificateHasItsNumbers) {
   EXPECT_NEAR(values["degree"], 1, 1e-12);
   EXPECT_GT(values["angle_distortion_max"], values["angle_distortion_mean"]);
   EXPECT_GT(values["quasi_conformal_mean"], 1);
-  EXPECT_GE(values["pole"], 0);
+  EXPECT_GE(values["pole_vertex"], 0);
 }
 
 TEST_F(SphereProgramsTest, BadOptionsAreExitStatusTwoAndLeaveNothing) {

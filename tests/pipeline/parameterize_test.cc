@@ -47,15 +47,15 @@ TEST(Parameterize, GeneratedDisksHaveCertifiedMaps) {
                            "capped_tube", "hexagonal_fan"}) {
     SCOPED_TRACE(name);
     const Parameterization map = Flatten(GeneratedSurface(name, 1500));
-    const auto& values = map.certificate.values;
-    EXPECT_EQ(values.at("flipped_triangles"), 0);
-    EXPECT_LE(values.at("radii_gradient"), 1e-9);
-    EXPECT_LE(values.at("vertex_sum_residual"), 1e-8);
-    EXPECT_LE(values.at("radii_gap"), 1e-8);
-    EXPECT_LE(values.at("angle_gap"), 1e-8);
-    EXPECT_LE(values.at("layout_closure"), 1e-7);
-    EXPECT_GE(values.at("quasi_conformal_mean"), 1);
-    EXPECT_LT(values.at("quasi_conformal_mean"), 1.2);
+    const Certificate& certificate = map.certificate;
+    EXPECT_EQ(certificate.layout->flipped_triangles, 0);
+    EXPECT_LE(certificate.radii->radii_gradient, 1e-9);
+    EXPECT_LE(certificate.angle_fit->vertex_sum_residual, 1e-8);
+    EXPECT_LE(certificate.radii->radii_gap, 1e-8);
+    EXPECT_LE(certificate.angle_fit->angle_gap, 1e-8);
+    EXPECT_LE(certificate.layout->layout_closure, 1e-7);
+    EXPECT_GE(certificate.distortion->quasi_conformal_mean, 1);
+    EXPECT_LT(certificate.distortion->quasi_conformal_mean, 1.2);
     EXPECT_EQ(map.certificate.overlap, "injective");
   }
 }
@@ -107,7 +107,7 @@ TEST(Parameterize, SeveralPatchesArePackedIntoTheUnitSquare) {
   Parameterization map;
   const Status status = Parameterize(surface, {{}, FreeBoundaryTargets(t), *cut}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
-  EXPECT_GE(map.certificate.values.at("patches"), 2);
+  EXPECT_GE(map.certificate.layout->patches, 2);
   EXPECT_EQ(map.certificate.overlap, "injective");
   for (const Eigen::Vector2d& p : map.uv.value) {
     EXPECT_GE(p.minCoeff(), -1e-12);
@@ -127,7 +127,7 @@ TEST(Parameterize, ACutThatMissesAConeIsRefused) {
 
 TEST(Parameterize, FlipsRemoveWhatMakesAKleetopeInfeasible) {
   const Parameterization map = Flatten(Kleetope(GeneratedSurface("bumpy_terrain", 200)));
-  EXPECT_GT(map.certificate.values.at("flips"), 100);
+  EXPECT_GT(map.certificate.triangulation->flips, 100);
 }
 
 TEST(Parameterize, SurfacesOfEveryTopologyAreCutAndMapped) {
@@ -135,15 +135,15 @@ TEST(Parameterize, SurfacesOfEveryTopologyAreCutAndMapped) {
     SCOPED_TRACE(name);
     const Surface surface = GeneratedSurface(name, 900);
     const Parameterization map = Flatten(surface);
-    const auto& values = map.certificate.values;
-    EXPECT_EQ(values.at("flipped_triangles"), 0);
-    EXPECT_LE(values.at("layout_closure"), 1e-7);
-    EXPECT_LE(values.at("seam_length_mismatch"), 1e-8);
-    EXPECT_LE(values.at("seam_rotation_mismatch"), 1e-8);
-    EXPECT_LE(values.at("cone_rotation_mismatch"), 1e-8);
-    EXPECT_LE(values.at("seam_gap"), 1e-7);
-    EXPECT_GE(values.at("seams"), 1);
-    EXPECT_LT(values.at("quasi_conformal_mean"), 1.2);
+    const Certificate& certificate = map.certificate;
+    EXPECT_EQ(certificate.layout->flipped_triangles, 0);
+    EXPECT_LE(certificate.layout->layout_closure, 1e-7);
+    EXPECT_LE(certificate.seams->seam_length_mismatch, 1e-8);
+    EXPECT_LE(certificate.seams->seam_rotation_mismatch, 1e-8);
+    EXPECT_LE(certificate.seams->cone_rotation_mismatch, 1e-8);
+    EXPECT_LE(certificate.seams->seam_gap, 1e-7);
+    EXPECT_GE(certificate.seams->seams, 1);
+    EXPECT_LT(certificate.distortion->quasi_conformal_mean, 1.2);
     // Opened along the cut it is a disk.
     EXPECT_EQ(EulerCharacteristic(CutOpen(surface.triangulation, map.cut)), 1);
   }
@@ -157,10 +157,10 @@ TEST(Parameterize, DelaunayFlipsBringAScrambledPatchBackToItsPlane) {
   Parameterization on_input;
   ASSERT_TRUE(FreeBoundaryMap(surface, raw, {}, &on_input).ok());
   const Parameterization flipped = Flatten(surface);
-  EXPECT_GT(flipped.certificate.values.at("flips"), 0);
-  EXPECT_EQ(flipped.certificate.values.at("mirrored_triangles"), 0);
-  EXPECT_LE(flipped.certificate.values.at("quasi_conformal_mean"),
-            on_input.certificate.values.at("quasi_conformal_mean") + 1e-6);
+  EXPECT_GT(flipped.certificate.triangulation->flips, 0);
+  EXPECT_EQ(flipped.certificate.triangulation->flipped_in_chart, 0);
+  EXPECT_LE(flipped.certificate.distortion->quasi_conformal_mean,
+            on_input.certificate.distortion->quasi_conformal_mean + 1e-6);
 }
 
 TEST(Parameterize, UnknownNamesAreRefused) {

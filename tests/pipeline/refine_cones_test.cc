@@ -29,7 +29,8 @@ FlatSurface MustFlatten(const IntrinsicTriangulation& metric, const ConeTargets&
   Certificate certificate;
   FlatSurface flat;
   const Status status =
-      Flatten(metric.triangulation, metric.lengths, targets, options, {}, &certificate, &flat);
+      Flatten({MeasureSurface(metric.triangulation, metric.lengths), targets, options, {}},
+              &certificate, &flat);
   EXPECT_TRUE(status.ok()) << status.message();
   return flat;
 }
@@ -79,7 +80,7 @@ TEST(AreaDistortion, IsHalfTheSquareOfTheMeasureWithoutFlips) {
   Parameterization map;
   ASSERT_TRUE(
       Parameterize(surface, {OnInput("quadratic"), *DefaultTargets(surface)}, {}, &map).ok());
-  const double l2 = map.certificate.values.at("log_area_ratio_l2");
+  const double l2 = map.certificate.distortion->log_area_ratio_l2;
   EXPECT_GT(l2, 0.1);
   EXPECT_NEAR(std::sqrt(2 * AreaDistortion(map.flat)), l2, 1e-8 * l2);
 }
@@ -95,12 +96,13 @@ TEST(RefineCones, LowersTheRealisedDistortionAndKeepsGaussBonnet) {
     options.refine_cones = 6;
     const Status status = Parameterize(surface, {options}, {}, &refined);
     ASSERT_TRUE(status.ok()) << status.message();
-    const auto& values = refined.certificate.values;
-    EXPECT_GE(values.at("refinement_steps"), 1);
-    EXPECT_LT(values.at("refinement_area_distortion_after"),
-              0.999 * values.at("refinement_area_distortion_before"));
-    EXPECT_LT(values.at("log_area_ratio_l2"), start.certificate.values.at("log_area_ratio_l2"));
-    EXPECT_EQ(values.at("flipped_triangles"), 0);
+    const Certificate& certificate = refined.certificate;
+    EXPECT_GE(certificate.cone_refinement->refinement_steps, 1);
+    EXPECT_LT(certificate.cone_refinement->refinement_area_distortion_after,
+              0.999 * certificate.cone_refinement->refinement_area_distortion_before);
+    EXPECT_LT(certificate.distortion->log_area_ratio_l2,
+              start.certificate.distortion->log_area_ratio_l2);
+    EXPECT_EQ(certificate.layout->flipped_triangles, 0);
     const auto before = ConesOf(surface.triangulation, start.targets);
     const auto after = ConesOf(surface.triangulation, refined.targets);
     ASSERT_EQ(before.size(), after.size());
@@ -124,23 +126,25 @@ TEST(RefineCones, RangedConesStartWhereTheFitPutThem) {
   Parameterization map;
   const Status status = Parameterize(surface, {options}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
-  EXPECT_LE(map.certificate.values.at("refinement_area_distortion_after"),
-            map.certificate.values.at("refinement_area_distortion_before"));
+  EXPECT_LE(map.certificate.cone_refinement->refinement_area_distortion_after,
+            map.certificate.cone_refinement->refinement_area_distortion_before);
 }
 
 TEST(RepairCones, MovesThenWidensWhereTheProofPoints) {
   const Surface surface = GeneratedSurface("double_torus", 600);
   const Triangulation& t = surface.triangulation;
   const ConeTargets targets = *DefaultTargets(surface);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface measured = MeasureSurface(surface.triangulation, lengths);
   const std::vector<Cone> cones = ConesOf(t, targets);
   InfeasibilityCertificate proof;
   proof.carrying_vertices = {cones[0].vertex};
-  const ConeRepair widened = RepairCones(t, targets, proof, 2);
+  const ConeRepair widened = RepairCones(measured, targets, proof, 2);
   EXPECT_EQ(widened.widened, 1);
   EXPECT_EQ(widened.moved, 0);
   EXPECT_LT(widened.targets.lower[cones[0].vertex], cones[0].lower);
   EXPECT_GE(widened.targets.upper[cones[0].vertex], cones[0].upper);
-  const ConeRepair moved = RepairCones(t, targets, proof, 1);
+  const ConeRepair moved = RepairCones(measured, targets, proof, 1);
   EXPECT_EQ(moved.widened, 0);
   EXPECT_EQ(ConesOf(t, moved.targets).size(), cones.size());
 }
@@ -164,8 +168,8 @@ TEST(RepairCones, InfeasibleConesEndInAMapThatSaysSo) {
   Parameterization map;
   const Status status = Parameterize(surface, {options}, {}, &map);
   ASSERT_TRUE(status.ok()) << status.message();
-  EXPECT_GE(map.certificate.values.at("cone_repairs"), 1);
-  EXPECT_EQ(map.certificate.values.at("flipped_triangles"), 0);
+  EXPECT_GE(map.certificate.cone_repair->cone_repairs, 1);
+  EXPECT_EQ(map.certificate.layout->flipped_triangles, 0);
 }
 
 }  // namespace

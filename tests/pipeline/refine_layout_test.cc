@@ -7,6 +7,7 @@
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/certificate_fields.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"
@@ -24,7 +25,7 @@ Parameterization MapOf(const Surface& surface, const ParameterizeOptions& option
 }
 
 double Distortion(const Parameterization& map) {
-  return map.certificate.values.at("quasi_conformal_mean") - 1;
+  return map.certificate.distortion->quasi_conformal_mean - 1;
 }
 
 TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
@@ -39,14 +40,15 @@ TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
       const Parameterization refined = MapOf(surface, options);
       EXPECT_LT(Distortion(refined), 0.99 * Distortion(plain));
       EXPECT_TRUE(FlippedFaces(t, refined.uv).empty());
-      const auto& values = refined.certificate.values;
-      EXPECT_GE(values.at("map_refinement_steps"), 1);
-      EXPECT_LT(values.at("map_refinement_after"), values.at("map_refinement_before"));
+      const Certificate& certificate = refined.certificate;
+      EXPECT_GE(certificate.map_refinement->map_refinement_steps, 1);
+      EXPECT_LT(certificate.map_refinement->map_refinement_after,
+                certificate.map_refinement->map_refinement_before);
       EXPECT_EQ(refined.cut.edge, plain.cut.edge);
       // Every seam turns by what it turned, and the cones' angles are what was asked for.
-      EXPECT_LT(values.at("seam_gap"), 1e-12);
-      EXPECT_LT(values.at("seam_rotation_mismatch"), 1e-9);
-      EXPECT_LT(values.at("cone_rotation_mismatch"), 1e-9);
+      EXPECT_LT(certificate.seams->seam_gap, 1e-12);
+      EXPECT_LT(certificate.seams->seam_rotation_mismatch, 1e-9);
+      EXPECT_LT(certificate.seams->cone_rotation_mismatch, 1e-9);
       const std::vector<Index> cones = ConeVertices(t, plain.targets);
       const auto rotations = [&](const Parameterization& map) {
         return MeasureSeams(t, map.cut, cones, map.flat.on_input.angles, map.uv).seams;
@@ -71,11 +73,11 @@ TEST(FreeSeams, OpenTheSurfaceAlongTheCutOfItsCones) {
     EXPECT_EQ(open.cut.edge, rigid.cut.edge);
     double stages = 0;
     for (const char* stage : {"cones", "triangulation", "angles", "radii", "layout", "measures"}) {
-      stages += open.certificate.seconds.at(stage);
+      stages += SecondsOf(open.certificate).at(stage);
     }
-    EXPECT_LE(stages, open.certificate.seconds.at("total"));
-    EXPECT_EQ(open.certificate.values.at("cones"), rigid.certificate.values.at("cones"));
-    EXPECT_EQ(open.certificate.values.at("cut_length"), rigid.certificate.values.at("cut_length"));
+    EXPECT_LE(stages, *open.certificate.seconds.total);
+    EXPECT_EQ(open.certificate.layout->cones, rigid.certificate.layout->cones);
+    EXPECT_EQ(open.certificate.layout->cut_length, rigid.certificate.layout->cut_length);
     EXPECT_LT(Distortion(open), Distortion(rigid));
     EXPECT_TRUE(FlippedFaces(surface.triangulation, open.uv).empty());
     // What is given up: the sides of the cut are not congruent any more.
@@ -101,7 +103,7 @@ TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
     Parameterization map;
     const Status status = Parameterize(surface, {options}, {}, &map);
     EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
-    EXPECT_EQ(map.certificate.seconds.count("angles"), 0);
+    EXPECT_FALSE(map.certificate.seconds.angles.has_value());
     return status.message();
   };
   ParameterizeOptions options;

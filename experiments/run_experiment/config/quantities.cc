@@ -1,11 +1,13 @@
 #include "experiments/run_experiment/config/quantities.h"
 
 #include <algorithm>
+#include <set>
 
 #include <glog/logging.h>
 
 #include "cirque/metrics/measure_map.h"
 #include "cirque/pipeline/options.h"
+#include "cirque/pipeline/certificate_fields.h"
 
 namespace cirque {
 namespace {
@@ -25,24 +27,6 @@ const std::vector<Quantity>& OwnQuantities() {
       {"map_cpu_seconds", "/map_cpu_seconds", "CPU time without reading the mesh [s]"},
       {"reference_cpu_seconds", "/reference/cpu_seconds", "reference factorization [CPU s]"},
       {"peak_memory_mib", "/peak_memory_mib", "peak memory [MiB]"},
-      {"flips", "/values/flips", "intrinsic flips"},
-      {"delaunay_rounds", "/values/delaunay_rounds", "rounds of flips"},
-      {"moved_vertices", "/values/moved_vertices", "vertices moved to right mirrored triangles"},
-      {"smallest_angle", "/values/smallest_angle", "smallest angle [rad]"},
-      {"smallest_theta", "/values/smallest_theta", "smallest intersection angle [rad]"},
-      {"angle_iterations", "/values/angle_iterations", "iterations of the angle fit"},
-      {"angle_factorizations", "/values/angle_factorizations", "factorizations of the angle fit"},
-      {"angle_cg_iterations", "/values/angle_cg_iterations", "CG steps of the angle fit"},
-      {"angle_gap", "/values/angle_gap", "duality gap of the angle fit"},
-      {"radii_iterations", "/values/radii_iterations", "iterations of the log radii"},
-      {"radii_factorizations", "/values/radii_factorizations", "factorizations of the log radii"},
-      {"radii_cg_iterations", "/values/radii_cg_iterations", "CG steps of the log radii"},
-      {"radii_gradient", "/values/radii_gradient", "gradient of the log radii [rad]"},
-      {"radii_gap", "/values/radii_gap", "duality gap of the log radii"},
-      {"log_radius_range", "/values/log_radius_range", "range of the log radii"},
-      {"flipped_triangles", "/values/flipped_triangles", "flipped triangles"},
-      {"cones", "/values/cones", "cones"},
-      {"seams", "/values/seams", "seams"},
       {"edge_length", "/values/edge_length", "edge length over diameter"},
       {"known_map_rms_error", "/values/known_map_rms_error", "rms distance from the known map"},
       {"known_map_max_error", "/values/known_map_max_error", "distance from the known map"},
@@ -58,7 +42,14 @@ std::string Spaced(std::string name) {
 
 std::vector<Quantity> MakeQuantities() {
   std::vector<Quantity> table = OwnQuantities();
+  std::set<std::string> names;
+  for (const CertificateField& field : CertificateFields()) {
+    if (names.insert(field.name).second) {
+      table.push_back({field.name, "/values/" + field.name, field.Label()});
+    }
+  }
   for (const std::string& figure : FigureNames()) {
+    if (!names.insert(figure).second) continue;
     table.push_back({figure, "/values/" + figure, Spaced(figure)});
   }
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cirque/core/status.h"
+#include "cirque/pipeline/certificate_fields.h"
 
 #include "experiments/run_experiment/config/content_hash.h"
 
@@ -18,15 +19,19 @@ nlohmann::json NumbersJson(const std::map<std::string, double>& numbers) {
   return json;
 }
 
-nlohmann::json HistoryJson(const std::map<std::string, std::vector<double>>& history) {
-  nlohmann::json json = nlohmann::json::object();
-  for (const auto& [stage, gradients] : history) {
-    json[stage] = nlohmann::json::array();
-    for (const double gradient : gradients) {
-      json[stage].push_back(std::isfinite(gradient) ? nlohmann::json(gradient) : nlohmann::json());
-    }
+nlohmann::json NumbersJson(const std::vector<double>& numbers) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const double number : numbers) {
+    json.push_back(std::isfinite(number) ? nlohmann::json(number) : nlohmann::json());
   }
   return json;
+}
+
+/// The numbers of the certificate and the other figures.
+std::map<std::string, double> ValuesOf(const RunResult& result) {
+  std::map<std::string, double> values = NumbersOf(result.certificate);
+  values.insert(result.figures.begin(), result.figures.end());
+  return values;
 }
 
 /// Only the limits there are.
@@ -83,8 +88,8 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"outcome", result.certificate.outcome},
       {"message", result.certificate.message},
       {"overlap", result.certificate.overlap},
-      {"values", NumbersJson(result.certificate.values)},
-      {"seconds", NumbersJson(result.certificate.seconds)},
+      {"values", NumbersJson(ValuesOf(result))},
+      {"seconds", NumbersJson(SecondsOf(result.certificate))},
       {"provenance", provenance},
   };
   if (!cell.measures.empty()) record["measures"] = cell.measures;
@@ -97,9 +102,11 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
     record["reference"] = {{"seconds", result.reference.seconds},
                            {"cpu_seconds", result.reference.cpu_seconds}};
   }
-  if (!result.certificate.history.empty()) {
-    record["history"] = HistoryJson(result.certificate.history);
+  const Certificate& certificate = result.certificate;
+  if (certificate.angle_fit) {
+    record["history"]["angles"] = NumbersJson(certificate.angle_fit->gradients);
   }
+  if (certificate.radii) record["history"]["radii"] = NumbersJson(certificate.radii->gradients);
   if (const auto limits = LimitsJson(cell.limits); !limits.empty()) record["limits"] = limits;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));

@@ -21,7 +21,7 @@ RunResult RunCaught(const Job& job, const RunCell& run_cell) {
     result.certificate.outcome = kException;
     result.certificate.message = error.what();
   }
-  result.certificate.seconds["total"] = result.seconds > 0 ? result.seconds : timer.Seconds();
+  result.certificate.seconds.total = result.seconds > 0 ? result.seconds : timer.Seconds();
   return result;
 }
 
@@ -72,7 +72,7 @@ Record FailedRecord(const Job& job, const std::string& outcome, const std::strin
   RunResult result;
   result.certificate.outcome = outcome;
   result.certificate.message = message;
-  result.certificate.seconds["total"] = seconds;
+  result.certificate.seconds.total = seconds;
   return MakeRecord(job.key, job.cell, job.mesh, result, job.provenance);
 }
 

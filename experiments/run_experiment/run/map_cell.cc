@@ -28,7 +28,10 @@ bool IsOfOnePlane(const std::string& measure) {
 
 /// The certificate of the map in place of what the result has, whose times it takes over.
 void TakeCertificate(Certificate certificate, RunResult* result) {
-  certificate.seconds.merge(result->certificate.seconds);
+  const StageSeconds& before = result->certificate.seconds;
+  certificate.seconds.read = before.read;
+  certificate.seconds.preflight = before.preflight;
+  certificate.seconds.subdivide = before.subdivide;
   result->certificate = std::move(certificate);
 }
 
@@ -41,7 +44,7 @@ Status AddMeasures(std::vector<std::string> measures, const Surface& surface, co
       t, MeasureEdgeLengths(surface),
       map.IsOnSphere() ? FacesInPlane(t, ChordLengths(t, map.position)) : map.uv, measures);
   if (!figures.ok()) return figures.status();
-  result->certificate.values.merge(*figures);
+  result->figures.merge(*figures);
   return Status();
 }
 
@@ -74,7 +77,7 @@ Status MapCell(const Cell& cell, const PolygonSoup& soup, const Surface& surface
   TakeCertificate(std::move(map.ok() ? map->certificate : failed), result);
   if (!map.ok()) return map.status();
   if (HasKnownImage(cell, surface)) {
-    result->certificate.values.merge(KnownMapErrors(cell.mesh, surface, map->uv));
+    result->figures.merge(KnownMapErrors(cell.mesh, surface, map->uv));
   }
   if (cell.keep_map) {
     result->map = map->IsOnSphere() ? SphereMesh(soup, surface, map->position)

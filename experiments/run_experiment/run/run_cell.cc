@@ -41,17 +41,17 @@ StatusOr<Input> ReadInput(const MeshSpec& mesh, const std::string& path, RunResu
   auto& seconds = result->certificate.seconds;
   const Timer read_timer;
   StatusOr<PolygonSoup> soup = ReadSoup(mesh, path);
-  seconds["read"] = read_timer.Seconds();
+  seconds.read = read_timer.Seconds();
   if (!soup.ok()) return soup.status();
   const Timer preflight_timer;
   StatusOr<Surface> surface = Check(*soup, result);
-  seconds["preflight"] = preflight_timer.Seconds();
+  seconds.preflight = preflight_timer.Seconds();
   if (!surface.ok()) return surface.status();
   if (mesh.subdivisions > 0) {
     const Timer timer;
     *soup = MidpointSubdivision(TrianglesOf(*surface), mesh.subdivisions);
     surface = Check(*soup, result);
-    seconds["subdivide"] = timer.Seconds();
+    seconds.subdivide = timer.Seconds();
     if (!surface.ok()) return surface.status();
   }
   return Input{*std::move(soup), *std::move(surface)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "cirque/core/types.h"
@@ -16,6 +17,8 @@ namespace cirque {
 struct RunResult {
   Index vertices = 0, triangles = 0;  ///< of the mesh; 0 when it could not be read
   Certificate certificate;
+  /// Figures beside those of the certificate: the measures asked for, errors against a known map.
+  std::map<std::string, double> figures = {};
   /// The mesh with its map, where the cell keeps it and there is one; of a map to the sphere the
   /// mesh with its points there.
   PolygonSoup map = {};

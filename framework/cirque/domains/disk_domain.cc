@@ -20,7 +20,11 @@ namespace {
 constexpr int kMaxDoublings = 60;  ///< of the pole's height
 constexpr double kSpreads[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
 
-Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
+Index CountFalse(const std::vector<bool>& flags) {
+  return static_cast<Index>(std::count(flags.begin(), flags.end(), false));
+}
+
+Status CheckDiskOptions(const std::vector<bool>& boundary, const DomainOptions& domain) {
   const std::vector<std::string> known = {"", "none", "boundary", "area"};
   if (std::find(known.begin(), known.end(), domain.normalization) == known.end()) {
     return Status::InvalidInput(
@@ -29,7 +33,6 @@ Status CheckDiskOptions(const Triangulation& t, const DomainOptions& domain) {
   if (PutsMassAtCentre(domain) && domain.centre != kNone) {
     return Status::InvalidInput("a centre vertex and a normalization exclude each other");
   }
-  const std::vector<bool> boundary = BoundaryVertices(t);
   if (domain.centre != kNone && boundary[domain.centre]) {
     return Status::InvalidInput(fmt::format(
         "vertex {} (0-based) lies on the boundary and cannot be the centre", domain.centre));
@@ -48,41 +51,34 @@ Status Unrepresentable(const std::string& what) {
                                                   "apart; a rectangle or the plane may hold it");
 }
 
-void Put(const std::map<std::string, double>& values, Certificate* certificate) {
-  for (const auto& [name, value] : values) certificate->values[name] = value;
+Index FileNumber(const Surface& surface, Index v) {
+  return v == kNone ? kNone : surface.soup_vertex[v];
 }
 
-double FileNumber(const Surface& surface, Index v) {
-  return v == kNone ? -1 : surface.soup_vertex[v];
-}
-
-void Certify(const Surface& surface, const HalfPlaneChart& chart, const DiskPlacement& disk,
-             double spread, Certificate* certificate) {
+DiskSummary Summarize(const Surface& surface, const HalfPlaneChart& chart,
+                      const DiskPlacement& disk, double spread) {
+  DiskSummary summary;
   double circle_error = 0;
   for (const Index v : chart.disk.loop) {
     circle_error = std::max(circle_error, std::abs(std::abs(disk.position()[v]) - 1));
   }
-  const auto overhang = std::count(chart.disk.core.begin(), chart.disk.core.end(), false);
-  Put({{"pole_vertex", FileNumber(surface, chart.disk.pole)},
-       {"centre_vertex", FileNumber(surface, disk.centre())},
-       {"angle_zero_vertex", FileNumber(surface, disk.angle_zero())},
-       {"overhanging_faces", static_cast<double>(overhang)},
-       {"boundary_spread", spread},
-       {"boundary_straightness", chart.straightness},
-       {"boundary_circle_error", circle_error},
-       {"boundary_centre_of_mass", disk.BoundaryCentreOfMass()},
-       {"area_centre_of_mass", disk.AreaCentreOfMass()},
-       {"flipped_triangles", 0}},
-      certificate);
-  if (disk.centre() != kNone) {
-    certificate->values["centre_error"] = std::abs(disk.position()[disk.centre()]);
-  }
+  summary.pole_vertex = FileNumber(surface, chart.disk.pole);
+  summary.centre_vertex = FileNumber(surface, disk.centre());
+  summary.angle_zero_vertex = FileNumber(surface, disk.angle_zero());
+  summary.overhanging_faces = CountFalse(chart.disk.core);
+  summary.boundary_spread = spread;
+  summary.boundary_straightness = chart.straightness;
+  summary.boundary_circle_error = circle_error;
+  summary.boundary_centre_of_mass = disk.BoundaryCentreOfMass();
+  summary.area_centre_of_mass = disk.AreaCentreOfMass();
+  if (disk.centre() != kNone) summary.centre_error = std::abs(disk.position()[disk.centre()]);
+  return summary;
 }
 
 /// Distortion of what was solved alone: a face with all corners on the circle cannot but be flat.
-void MeasureCore(const Surface& surface, const std::vector<bool>& core, SurfaceMap* map) {
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, map->uv);
+void MeasureCore(const Surface& surface, const EdgeLengths& lengths, const CornerUv& uv,
+                 const std::vector<bool>& core, DiskSummary* summary) {
+  const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, uv);
   double sum = 0, area = 0, largest = 1;
   for (Index i = 0; i < faces.num_faces(); ++i) {
     if (!core[faces.face[i]]) continue;
@@ -91,28 +87,29 @@ void MeasureCore(const Surface& surface, const std::vector<bool>& core, SurfaceM
     area += faces.area[i];
     largest = std::max(largest, quasi_conformal);
   }
-  Put({{"core_quasi_conformal_mean", sum / area}, {"core_quasi_conformal_max", largest}},
-      &map->certificate);
+  summary->core_quasi_conformal_mean = sum / area;
+  summary->core_quasi_conformal_max = largest;
 }
 
-void Deliver(const Surface& surface, CornerUv uv, SurfaceMap* map) {
-  const Triangulation& t = surface.triangulation;
+/// A map without flipped triangles.
+void Deliver(const Triangulation& t, const EdgeLengths& lengths, CornerUv uv, SurfaceMap* map) {
+  const Timer timer;
   map->uv = std::move(uv);
   map->cut.edge.assign(t.num_edges(), false);
-  const Timer timer;
-  PutMeasures(t, MeasureEdgeLengths(surface), map);
-  map->certificate.seconds["measures"] = timer.Seconds();
+  Fill(&map->certificate.layout).flipped_triangles = 0;
+  MeasureDistortion(t, lengths, map);
+  map->certificate.seconds.measures = timer.Seconds();
 }
 
 /// The share of spreading that distorts least among those that flip no triangle: the area-weighted
 /// mean of log(quasi-conformal distortion).
-double SpreadBest(const Surface& surface, const HalfPlaneChart& chart, DiskPlacement* disk) {
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+double SpreadBest(const IntrinsicSurface& surface, const HalfPlaneChart& chart,
+                  DiskPlacement* disk) {
   double best = 1, least = std::numeric_limits<double>::infinity();
   for (const double share : kSpreads) {
     if (!disk->Spread(chart, share).empty()) continue;
     const CornerUv uv = disk->Uv();
-    const MappedFaces faces = MeasureFaces(surface.triangulation, lengths, uv);
+    const MappedFaces faces = MeasureFaces(surface.triangulation, surface.lengths, uv);
     const Eigen::ArrayXd quasi_conformal = faces.sigma_max.array() / faces.sigma_min.array();
     const double mean = faces.area.dot(quasi_conformal.log().matrix());
     if (mean < least) best = share;
@@ -148,21 +145,25 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
                  SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
-  if (Status s = CheckDiskOptions(t, request.shape); !s.ok()) return s;
-  DiskPlacement disk(surface, request.shape, control);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
+  if (Status s = CheckDiskOptions(intrinsic.boundary, request.shape); !s.ok()) return s;
+  DiskPlacement disk(surface, intrinsic, request.shape, control);
   HalfPlaneChart chart;
   bool clean = false;
   const Status status = SolveHalfPlaneChart(
-      surface, request.shape.pole, request.options, control,
+      {surface, intrinsic, request.shape.pole, request.options, control},
       [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &map->certificate, &chart,
       &clean);
   if (!status.ok()) return status;
-  const double spread = clean ? 0 : SpreadBest(surface, chart, &disk);
-  if (!clean && !disk.Spread(chart, spread).empty())
+  const double spread = clean ? 0 : SpreadBest(intrinsic, chart, &disk);
+  if (!clean && !disk.Spread(chart, spread).empty()) {
     return Unrepresentable("points of the unit disk");
-  Certify(surface, chart, disk, spread, &map->certificate);
-  Deliver(surface, disk.Uv(), map);
-  MeasureCore(surface, chart.disk.core, map);
+  }
+  DiskSummary summary = Summarize(surface, chart, disk, spread);
+  Deliver(t, lengths, disk.Uv(), map);
+  MeasureCore(surface, lengths, map->uv, chart.disk.core, &summary);
+  map->certificate.disk = summary;
   return Status();
 }
 
@@ -171,7 +172,7 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
   const std::vector<bool> core = LargestChordlessPiece(t);
-  const auto overhang = std::count(core.begin(), core.end(), false);
+  const Index overhang = CountFalse(core);
   if (overhang > 0 || t.num_faces() == 1) {
     return Status::InvalidInput(
         fmt::format("{} faces lie beyond edges that join two boundary vertices, face {} (0-based) "
@@ -188,16 +189,16 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
     height = RaisePole(t, tried, &uv, &flipped);
     return flipped;
   };
-  const Status status = SolveHalfPlaneChart(surface, request.shape.pole, request.options, control,
-                                            flips, &map->certificate, &chart, &clean);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
+  const Status status =
+      SolveHalfPlaneChart({surface, intrinsic, request.shape.pole, request.options, control}, flips,
+                          &map->certificate, &chart, &clean);
   if (!status.ok()) return status;
   if (!clean) return Unrepresentable("points of the half-plane");
-  Put({{"pole_vertex", FileNumber(surface, chart.disk.pole)},
-       {"pole_height", height},
-       {"boundary_straightness", chart.straightness},
-       {"flipped_triangles", 0}},
-      &map->certificate);
-  Deliver(surface, std::move(uv), map);
+  map->certificate.half_plane =
+      HalfPlaneSummary{FileNumber(surface, chart.disk.pole), height, chart.straightness};
+  Deliver(t, lengths, std::move(uv), map);
   return Status();
 }
 

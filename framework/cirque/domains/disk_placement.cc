@@ -55,17 +55,16 @@ bool PutsMassAtCentre(const DomainOptions& options) {
   return !options.normalization.empty() && options.normalization != "none";
 }
 
-DiskPlacement::DiskPlacement(const Surface& surface, const DomainOptions& domain,
-                             const SolveControl& control)
+DiskPlacement::DiskPlacement(const Surface& surface, const IntrinsicSurface& intrinsic,
+                             const DomainOptions& domain, const SolveControl& control)
     : surface_(surface),
       t_(surface.triangulation),
       domain_(domain),
       control_(control),
-      lengths_(MeasureEdgeLengths(surface)),
-      on_boundary_(BoundaryVertices(t_)),
-      weights_(PositiveCotangents(t_, MeasureCornerAngles(t_, lengths_))),
+      on_boundary_(intrinsic.boundary),
+      weights_(PositiveCotangents(t_, intrinsic.angles)),
       area_(AreaShares(surface)),
-      length_(LengthShares(t_, lengths_)),
+      length_(LengthShares(t_, intrinsic.lengths)),
       centre_(domain.centre),
       angle_zero_(domain.angle_zero) {
   if (angle_zero_ != kNone) return;

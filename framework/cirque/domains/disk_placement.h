@@ -5,6 +5,7 @@
 #include "cirque/domains/domain.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/layout/half_plane.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {
@@ -16,7 +17,8 @@ bool PutsMassAtCentre(const DomainOptions& options);
 /// half-plane.
 class DiskPlacement {
  public:
-  DiskPlacement(const Surface& surface, const DomainOptions& domain, const SolveControl& control);
+  DiskPlacement(const Surface& surface, const IntrinsicSurface& intrinsic,
+                const DomainOptions& domain, const SolveControl& control);
 
   /// By the Moebius map that the options ask for; returns the flipped faces.
   std::vector<Index> Place(const HalfPlaneChart& chart);
@@ -51,8 +53,7 @@ class DiskPlacement {
   const Triangulation& t_;
   const DomainOptions& domain_;
   const SolveControl& control_;
-  const EdgeLengths lengths_;
-  const std::vector<bool> on_boundary_;
+  const std::vector<bool>& on_boundary_;
   const Eigen::VectorXd weights_;      ///< of edges, for convex embeddings
   std::vector<double> area_, length_;  ///< shares per vertex: of area, of the boundary's length
   HalfPlaneChart chart_;

@@ -22,11 +22,13 @@ std::vector<double> DelaunayExcess(const Triangulation& t, const CornerAngles& a
 
 }  // namespace
 
-std::vector<Index> RankPoles(const Triangulation& whole, const EdgeLengths& lengths,
-                             const std::vector<bool>& core) {
-  const SubTriangulation part = KeepFaces(whole, core);
+std::vector<Index> RankPoles(const IntrinsicSurface& whole, const std::vector<bool>& core) {
+  const SubTriangulation part = KeepFaces(whole.triangulation, core);
   const Triangulation& t = part.triangulation;
-  const CornerAngles angles = MeasureCornerAngles(t, LengthsOf(part, whole, lengths));
+  CornerAngles angles = {Eigen::VectorXd(t.num_halfedges())};
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    angles.value[h] = whole.angles.value[part.Halfedge(h)];
+  }
   const std::vector<double> excess = DelaunayExcess(t, angles);
   std::vector<double> bend(t.num_vertices, -kPi), fault(t.num_vertices, 0);
   for (Index h = 0; h < t.num_halfedges(); ++h) bend[t.vertex[h]] += angles.value[h];

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "cirque/domains/disk_poles.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/half_plane.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/pipeline/flatten.h"
@@ -31,21 +30,19 @@ std::vector<double> ChainLengths(const Triangulation& t, const EdgeLengths& leng
 
 class ChartSolve {
  public:
-  ChartSolve(const Surface& surface, const ParameterizeOptions& options,
-             const SolveControl& control, const FlipsOfChart& flips, Certificate* certificate,
+  ChartSolve(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
              HalfPlaneChart* chart)
-      : surface_(surface),
-        t_(surface.triangulation),
-        lengths_(MeasureEdgeLengths(surface)),
-        options_(options),
-        control_(control),
+      : job_(job),
+        t_(job.surface.triangulation),
+        options_(job.options),
         flips_(flips),
         certificate_(*certificate),
         chart_(*chart) {}
 
-  Status Run(Index pole, bool* clean) {
+  Status Run(bool* clean) {
+    const Index pole = job_.pole;
     const std::vector<bool> core = LargestChordlessPiece(t_);
-    const std::vector<Index> ranked = RankPoles(t_, lengths_, core);
+    const std::vector<Index> ranked = RankPoles(job_.intrinsic, core);
     std::vector<Index> poles = {pole};
     if (pole == kNone) {
       poles.assign(ranked.begin(),
@@ -64,18 +61,18 @@ class ChartSolve {
         if (status.code() != StatusCode::kInfeasible) return status;
       }
     }
-    InfeasibilityCertificate& proof = certificate_.infeasibility;
-    if (!proof.empty()) NumberAsInFile(surface_, chart_.disk, &proof);
+    if (!proof_.empty()) NumberAsInFile(job_.surface, chart_.disk, &proof_);
+    certificate_.infeasibility = std::move(proof_);
     return status;
   }
 
  private:
   Status SolveWithPole(const std::vector<bool>& core, Index pole, bool keep_star, bool* clean) {
     chart_ = {};
-    chart_.disk = TakeOffStar(t_, lengths_, core, pole, options_.epsilon);
+    chart_.disk = TakeOffStar(t_, job_.intrinsic.lengths, core, pole, options_.epsilon);
     if (chart_.disk.rest.face.empty()) return Status();
     if (keep_star) {
-      KeepStar(t_, MeasureCornerAngles(t_, lengths_), options_.epsilon, &chart_.disk);
+      KeepStar(t_, job_.intrinsic.angles, options_.epsilon, &chart_.disk);
     }
     return SolveWithLocks(clean);
   }
@@ -100,10 +97,11 @@ class ChartSolve {
 
   /// The last resort; the chart stays what it was where that is no better.
   Status SolveOnInput(bool* clean) {
+    const std::vector<bool> none(chart_.disk.rest.triangulation.num_edges(), false);
     ParameterizeOptions raw = options_;
     raw.triangulation = SolvedTriangulation::kInput;
     HalfPlaneChart before = chart_;
-    const Status status = Solve(raw, {});
+    const Status status = Solve(raw, none);
     if (status.ok()) *clean = flips_(chart_).empty();
     if (!*clean) chart_ = std::move(before);
     return status.code() == StatusCode::kCancelled ? status : Status();
@@ -129,12 +127,14 @@ class ChartSolve {
   Status Solve(const ParameterizeOptions& options, const std::vector<bool>& locked) {
     const PuncturedDisk& disk = chart_.disk;
     const Triangulation& t = disk.rest.triangulation;
+    const IntrinsicSurface rest = MeasureSurface(t, disk.lengths);
     FlatSurface flat;
     Status status =
-        Flatten(t, disk.lengths, disk.targets, options, control_, &certificate_, &flat, locked);
+        Flatten({rest, disk.targets, options, job_.control, &locked}, &certificate_, &flat);
+    proof_ = std::move(flat.infeasibility);
     if (!status.ok()) return status;
     const PlanarLayout layout = LayOutByDirections(t, flat.on_input.angles, flat.on_input.lengths);
-    certificate_.values["layout_closure"] = layout.closure;
+    Fill(&certificate_.layout).layout_closure = layout.closure;
     const HalfPlane moved = MoveToHalfPlane(t, layout.uv, disk.chain);
     chart_.chain_length = ChainLengths(t, flat.on_input.lengths, disk.chain);
     chart_.straightness = moved.straightness;
@@ -146,14 +146,13 @@ class ChartSolve {
     return status;
   }
 
-  const Surface& surface_;
+  const ChartJob& job_;
   const Triangulation& t_;
-  const EdgeLengths lengths_;
   const ParameterizeOptions& options_;
-  const SolveControl& control_;
   const FlipsOfChart& flips_;
   Certificate& certificate_;
   HalfPlaneChart& chart_;
+  InfeasibilityCertificate proof_;  ///< of the last solve
 };
 
 }  // namespace
@@ -179,11 +178,10 @@ Status CheckIsDisk(const Triangulation& t) {
                   genus));
 }
 
-Status SolveHalfPlaneChart(const Surface& surface, Index pole, const ParameterizeOptions& options,
-                           const SolveControl& control, const FlipsOfChart& flips,
-                           Certificate* certificate, HalfPlaneChart* chart, bool* clean) {
+Status SolveHalfPlaneChart(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
+                           HalfPlaneChart* chart, bool* clean) {
   *clean = false;
-  return ChartSolve(surface, options, control, flips, certificate, chart).Run(pole, clean);
+  return ChartSolve(job, flips, certificate, chart).Run(clean);
 }
 
 }  // namespace cirque

@@ -7,6 +7,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/domains/punctured_disk.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/moebius.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
@@ -31,14 +32,22 @@ Status CheckIsDisk(const Triangulation& triangulation);
 /// The faces of the surface that come out flipped when the chart is used.
 using FlipsOfChart = std::function<std::vector<Index>(const HalfPlaneChart&)>;
 
+/// What a chart is sought of.
+struct ChartJob {
+  const Surface& surface;
+  const IntrinsicSurface& intrinsic;  ///< of the surface
+  Index pole;                         ///< kNone: chosen
+  const ParameterizeOptions& options;
+  const SolveControl& control;
+};
+
 /// Solves for the chart (MapToDisk says how), with the edges of flipped triangles locked and again
 /// while that helps, then on the input's connectivity. Without a pole given, boundary vertices with
 /// the straightest surroundings are tried in turn where a solve ends infeasible; last, with angle
 /// sums along the pole's link that are only bounded: a proof of infeasibility is about those, the
 /// last pole being its removed vertex. Status ok even if the last chart still has flips: *clean
 /// says. @pre CheckIsDisk is ok.
-Status SolveHalfPlaneChart(const Surface& surface, Index pole, const ParameterizeOptions& options,
-                           const SolveControl& control, const FlipsOfChart& flips,
-                           Certificate* certificate, HalfPlaneChart* chart, bool* clean);
+Status SolveHalfPlaneChart(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
+                           HalfPlaneChart* chart, bool* clean);
 
 }  // namespace cirque

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -97,7 +99,7 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
     for_disk.options = request.options;
     SurfaceMap disk;
     const Status status = MapToDisk(surface, for_disk, control, &disk);
-    certificate->seconds["corners"] = timer.Seconds();
+    certificate->seconds.corners = timer.Seconds();
     certificate->infeasibility = std::move(disk.certificate.infeasibility);
     if (!status.ok()) return status.In("choosing corners by a map to the disk");
     corners = NearlyRegularCorners(t, disk.uv, sides);
@@ -155,41 +157,39 @@ std::pair<double, double> SnapToRectangle(const Triangulation& t, const std::vec
   return {modulus, mismatch};
 }
 
-void Certify(const Surface& surface, const std::vector<Index>& corners,
-             const std::vector<Complex>& place, Certificate* certificate) {
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+PolygonSummary Summarize(const Surface& surface, const std::vector<Index>& corners,
+                         const std::vector<Complex>& place) {
+  PolygonSummary summary;
+  summary.shortest_side = std::numeric_limits<double>::infinity();
+  summary.longest_side = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const double side = std::abs(place[corners[(k + 1) % corners.size()]] - place[corners[k]]);
-    shortest = std::min(shortest, side);
-    longest = std::max(longest, side);
-    certificate->values[fmt::format("corner_vertex_{}", k)] = surface.soup_vertex[corners[k]];
+    summary.shortest_side = std::min(summary.shortest_side, side);
+    summary.longest_side = std::max(summary.longest_side, side);
+    summary.corner_vertices.push_back(surface.soup_vertex[corners[k]]);
   }
-  certificate->values["shortest_side"] = shortest;
-  certificate->values["longest_side"] = longest;
+  return summary;
 }
 
 /// The map for these corners; the certificate keeps what it holds of their choice.
 Status MapWithCorners(const Surface& surface, const MapRequest& request,
                       const std::vector<Index>& corners, const SolveControl& control,
                       SurfaceMap* map) {
-  auto choice_seconds = std::move(map->certificate.seconds);
+  const std::optional<double> choice_seconds = map->certificate.seconds.corners;
   const ParameterizeRequest straight = {
       request.options, PolygonTargets(surface.triangulation, corners), {}};
   Status status = Parameterize(surface, straight, control, map);
-  map->certificate.seconds.merge(choice_seconds);
+  map->certificate.seconds.corners = choice_seconds;
   return status;
 }
 
 /// Puts the vertices where they are wanted; refuses a map that comes out flipped.
-Status Deliver(const Surface& surface, const std::vector<Index>& corners,
-               const std::vector<Complex>& place, SurfaceMap* map) {
-  const Triangulation& t = surface.triangulation;
-  Certify(surface, corners, place, &map->certificate);
+Status Deliver(const Triangulation& t, const std::vector<Complex>& place, SurfaceMap* map) {
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     map->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
   }
   const std::vector<Index> flipped = FlippedFaces(t, map->uv);
-  map->certificate.values["flipped_triangles"] = static_cast<double>(flipped.size());
+  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped.size());
   if (flipped.empty()) return Status();
   return Status(StatusCode::kUnrepresentable,
                 fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
@@ -208,12 +208,14 @@ Status Map(const Surface& surface, const MapRequest& request, const SolveControl
   if (Status s = MapWithCorners(surface, request, *corners, control, map); !s.ok()) return s;
   std::vector<Complex> place = Places(t, map->uv);
   Align(*corners, &place);
-  if (shape == Shape::kRectangle) {
-    const auto [modulus, mismatch] = SnapToRectangle(t, *corners, &place);
-    map->certificate.values["conformal_modulus"] = modulus;
-    map->certificate.values["opposite_side_mismatch"] = mismatch;
+  std::optional<std::pair<double, double>> modulus_and_mismatch;
+  if (shape == Shape::kRectangle) modulus_and_mismatch = SnapToRectangle(t, *corners, &place);
+  PolygonSummary summary = Summarize(surface, *corners, place);
+  if (modulus_and_mismatch) {
+    std::tie(summary.conformal_modulus, summary.opposite_side_mismatch) = *modulus_and_mismatch;
   }
-  return Deliver(surface, *corners, place, map);
+  map->certificate.polygon = std::move(summary);
+  return Deliver(t, place, map);
 }
 
 /// The request with so many corners, or what is wrong with those it names.

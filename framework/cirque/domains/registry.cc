@@ -11,7 +11,6 @@
 #include "cirque/domains/plane_domain.h"
 #include "cirque/domains/polygon_domain.h"
 #include "cirque/domains/sphere_domain.h"
-#include "cirque/pipeline/map_measures.h"
 
 namespace cirque {
 namespace {

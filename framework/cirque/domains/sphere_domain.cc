@@ -1,6 +1,8 @@
 #include "cirque/domains/sphere_domain.h"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -45,11 +47,10 @@ Status CheckSurface(const Surface& surface) {
 }
 
 /// Interior vertices flat; the link free but convex by a margin.
-ConeTargets ConvexLinkTargets(const Triangulation& t, double margin) {
-  ConeTargets targets = FreeBoundaryTargets(t);
-  const std::vector<bool> link = BoundaryVertices(t);
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    if (link[v]) targets.upper[v] = kPi - margin;
+ConeTargets ConvexLinkTargets(const IntrinsicSurface& plane, double margin) {
+  ConeTargets targets = FreeBoundaryTargets(plane.triangulation);
+  for (Index v = 0; v < plane.triangulation.num_vertices; ++v) {
+    if (plane.boundary[v]) targets.upper[v] = kPi - margin;
   }
   return targets;
 }
@@ -64,26 +65,28 @@ StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& disk,
 
 /// What `step` returns, its time added to the stage's.
 template <class Step>
-auto Timed(const char* stage, Certificate* certificate, const Step& step) {
+auto Timed(std::optional<double>* seconds, const Step& step) {
   const Timer timer;
   auto result = step();
-  certificate->seconds[stage] += timer.Seconds();
+  AddSeconds(timer, seconds);
   return result;
 }
 
 /// One surface on its way to the sphere.
 class SphereMapping {
  public:
-  SphereMapping(const Surface& surface, const DomainOptions& options,
+  SphereMapping(const Surface& surface, const EdgeLengths& lengths, const DomainOptions& options,
                 const ParameterizeOptions& parameterize_options, const SolveControl& control,
                 SurfaceMap* map)
       : surface_(surface),
         t_(surface.triangulation),
-        lengths_(MeasureEdgeLengths(surface)),
+        lengths_(lengths),
         options_(options),
         in_plane_(parameterize_options),
         control_(control),
-        map_(*map) {
+        map_(*map),
+        seconds_(map->certificate.seconds),
+        summary_(Fill(&map->certificate.sphere)) {
     in_plane_.triangulation =
         SolvedTriangulation::kInput;  // flips are made here, on the closed surface
     flips_ = parameterize_options.triangulation != SolvedTriangulation::kInput;
@@ -91,15 +94,14 @@ class SphereMapping {
 
   Status Run() {
     IntrinsicTriangulation delaunay = {t_, lengths_, {}, {}};
-    if (flips_) delaunay = Timed("triangulation", &map_.certificate, [&] { return Delaunay({}); });
+    if (flips_) delaunay = Timed(&seconds_.triangulation, [&] { return Delaunay({}); });
     std::vector<Index> poles = {options_.pole};
     if (options_.pole == kNone) {
-      poles = Timed("pole", &map_.certificate,
-                    [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
+      poles = Timed(&seconds_.pole, [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
     }
     Status status = Status::InvalidInput("no vertex is the centre of a disk of triangles");
     for (std::size_t i = 0; i < poles.size(); ++i) {
-      Put("pole_attempts", static_cast<double>(i + 1));
+      summary_.pole_attempts = static_cast<int>(i + 1);
       status = TryPole(poles[i], delaunay);
       const bool may_do_better = status.code() == StatusCode::kNotConverged ||
                                  status.code() == StatusCode::kUnrepresentable;
@@ -110,15 +112,13 @@ class SphereMapping {
   }
 
  private:
-  void Put(const std::string& name, double value) { map_.certificate.values[name] = value; }
-
   IntrinsicTriangulation Delaunay(const std::vector<bool>& locked) const {
     return MakeIntrinsicDelaunay(t_, lengths_, {nullptr, locked});
   }
 
   Status TryPole(Index pole, const IntrinsicTriangulation& delaunay) {
     pole_ = pole;
-    Put("pole", surface_.soup_vertex[pole]);
+    summary_.pole_vertex = surface_.soup_vertex[pole];
     if (flips_) {
       const auto flipped = TryLockingFlipped(delaunay);
       if (flipped.ok() && flipped->empty()) return Status();
@@ -134,11 +134,10 @@ class SphereMapping {
   StatusOr<std::vector<Index>> TryLockingFlipped(const IntrinsicTriangulation& delaunay) {
     int rounds = 0;
     const auto solve = [&](const std::vector<bool>& locked) -> StatusOr<std::vector<Index>> {
-      Put("delaunay_rounds", ++rounds);
+      Fill(&map_.certificate.triangulation).delaunay_rounds = ++rounds;
       const Status status =
-          rounds == 1
-              ? TryOn(delaunay)
-              : TryOn(Timed("triangulation", &map_.certificate, [&] { return Delaunay(locked); }));
+          rounds == 1 ? TryOn(delaunay)
+                      : TryOn(Timed(&seconds_.triangulation, [&] { return Delaunay(locked); }));
       return status.ok() ? StatusOr<std::vector<Index>>(flipped_) : status;
     };
     return SolveLockingFlipped(std::vector<bool>(t_.num_edges(), false), solve,
@@ -156,18 +155,17 @@ class SphereMapping {
     const StatusOr<PuncturedSurface> punctured = Puncture(intrinsic.triangulation, pole_);
     if (!punctured.ok()) return punctured.status();
     const EdgeLengths lengths = ReferenceLengths(intrinsic, *punctured);
+    const IntrinsicSurface plane = MeasureSurface(punctured->triangulation, lengths);
     FlatSurface flat;
-    const Status status = FlattenWithConvexLink(*punctured, lengths, &flat);
-    Put("flips", static_cast<double>(intrinsic.flips.size()));
-    Put("pole_corners", static_cast<double>(punctured->link.size()));
-    if (!status.ok()) {
-      InfeasibilityCertificate& proof = map_.certificate.infeasibility;
-      if (!proof.empty()) NumberAsInFile(surface_, *punctured, &proof);
-      return status;
-    }
-    Put("delaunay_margin",
-        SphericalDelaunayMargin(punctured->triangulation, flat.on_input.angles.value));
-    return Timed("layout", &map_.certificate, [&] { return LayOut(*punctured, flat.on_input); });
+    const Status status = FlattenWithConvexLink(plane, &flat);
+    Fill(&map_.certificate.triangulation).flips = static_cast<int>(intrinsic.flips.size());
+    summary_.pole_corners = static_cast<int>(punctured->link.size());
+    if (!flat.infeasibility.empty()) NumberAsInFile(surface_, *punctured, &flat.infeasibility);
+    map_.certificate.infeasibility = std::move(flat.infeasibility);
+    if (!status.ok()) return status;
+    summary_.delaunay_margin = SphericalDelaunayMargin(plane, flat.on_input.angles.value);
+    log_radius_range_ = flat.log_radii.value.maxCoeff() - flat.log_radii.value.minCoeff();
+    return Timed(&seconds_.layout, [&] { return LayOut(*punctured, flat.on_input); });
   }
 
   /// Lengths whose angles the flat ones are fitted to.
@@ -179,14 +177,12 @@ class SphereMapping {
     return LengthsOf(punctured, intrinsic.triangulation, intrinsic.lengths);
   }
 
-  Status FlattenWithConvexLink(const PuncturedSurface& punctured, const EdgeLengths& lengths,
-                               FlatSurface* flat) {
+  Status FlattenWithConvexLink(const IntrinsicSurface& plane, FlatSurface* flat) {
     Status status;
     for (const double margin : {in_plane_.epsilon, kLeastLinkMargin}) {
-      Put("link_margin", margin);
-      status = Flatten(punctured.triangulation, lengths,
-                       ConvexLinkTargets(punctured.triangulation, margin), in_plane_, control_,
-                       &map_.certificate, flat);
+      summary_.link_margin = margin;
+      const ConeTargets targets = ConvexLinkTargets(plane, margin);
+      status = Flatten({plane, targets, in_plane_, control_}, &map_.certificate, flat);
       if (status.code() != StatusCode::kInfeasible) break;
     }
     return status;
@@ -197,7 +193,7 @@ class SphereMapping {
     const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
     if (!laid_out.ok()) return laid_out.status();
     const PlanarLayout& layout = *laid_out;
-    Put("layout_closure", layout.closure);
+    Fill(&map_.certificate.layout).layout_closure = layout.closure;
     PlaneWithPole plane;
     plane.pole = punctured.pole;
     plane.position.assign(t_.num_vertices, Eigen::Vector2d::Zero());
@@ -211,8 +207,8 @@ class SphereMapping {
     const auto normalized = NormalizeChart(surface_, plane, options_.normalization);
     normalized_ = normalized.ok();
     if (!normalized_) return normalized.status();
-    Put("normalization_iterations", normalized->iterations);
-    Put("normalization_residual", normalized->residual);
+    summary_.normalization_iterations = normalized->iterations;
+    summary_.normalization_residual = normalized->residual;
     map_.position = LiftAll(plane, normalized->chart);
     if (options_.principal_axes) {
       const Eigen::Matrix3d axes = PrincipalAxes(map_.position, VertexAreas(t_, surface_.position));
@@ -220,9 +216,9 @@ class SphereMapping {
     }
     Eigen::Vector3d mass = Eigen::Vector3d::Zero();
     for (Index v = 0; v < t_.num_vertices; ++v) mass += normalized->weights[v] * map_.position[v];
-    Put("centre_of_mass", mass.norm());
+    summary_.centre_of_mass = mass.norm();
     flipped_ = FlippedSphericalFaces(t_, map_.position);
-    Put("flipped_triangles", static_cast<double>(flipped_.size()));
+    Fill(&map_.certificate.layout).flipped_triangles = static_cast<int>(flipped_.size());
     return Status();
   }
 
@@ -232,18 +228,20 @@ class SphereMapping {
         fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
                     "radii range over {:.1f} and {} faces collapse, faces {} (0-based) "
                     "among them; name another --pole or normalization",
-                    map_.certificate.values.at("log_radius_range"), flipped_.size(),
-                    IdList(flipped_, 5)));
+                    log_radius_range_, flipped_.size(), IdList(flipped_, 5)));
   }
 
   const Surface& surface_;
   const Triangulation& t_;
-  const EdgeLengths lengths_;
+  const EdgeLengths& lengths_;
   const DomainOptions& options_;
   ParameterizeOptions in_plane_;
   bool flips_ = true;
   const SolveControl& control_;
   SurfaceMap& map_;
+  StageSeconds& seconds_;
+  SphereSummary& summary_;
+  double log_radius_range_ = 0;
   Index pole_ = kNone;
   std::vector<Index> flipped_;  ///< of the input's faces on the sphere
   bool normalized_ = true;      ///< false: no other pole or triangulation would help
@@ -263,11 +261,12 @@ Status MapToSphere(const Surface& surface, const MapRequest& request, const Solv
   if (options.normalization.empty()) options.normalization = kDefaultNormalization;
   if (Status s = CheckNormalization(options.normalization); !s.ok()) return s;
   if (Status s = CheckSurface(surface); !s.ok()) return s;
-  Status status = SphereMapping(surface, options, request.options, control, map).Run();
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  Status status = SphereMapping(surface, lengths, options, request.options, control, map).Run();
   if (!status.ok()) return status;
   const Timer timer;
-  MeasureSphereMap(surface, map);
-  map->certificate.seconds["measures"] = timer.Seconds();
+  MeasureSphereMap(surface, lengths, map);
+  map->certificate.seconds.measures = timer.Seconds();
   return status;
 }
 

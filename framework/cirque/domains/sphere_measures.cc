@@ -9,19 +9,20 @@
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_map.h"
+#include "cirque/pipeline/map_measures.h"
 
 namespace cirque {
 
-double SphericalDelaunayMargin(const Triangulation& t, const Eigen::VectorXd& angle) {
+double SphericalDelaunayMargin(const IntrinsicSurface& punctured, const Eigen::VectorXd& angle) {
+  const Triangulation& t = punctured.triangulation;
   double margin = kPi;
   std::vector<double> sum(t.num_vertices, 0);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     sum[t.vertex[h]] += angle[h];
     margin = std::min(margin, kPi - angle[h] - (t.twin[h] == kNone ? 0 : angle[t.twin[h]]));
   }
-  const std::vector<bool> link = BoundaryVertices(t);
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (link[v]) margin = std::min(margin, kPi - sum[v]);
+    if (punctured.boundary[v]) margin = std::min(margin, kPi - sum[v]);
   }
   return margin;
 }
@@ -40,9 +41,9 @@ void NumberAsInFile(const Surface& surface, const PuncturedSurface& punctured,
   proof->removed_vertex = surface.soup_vertex[punctured.pole];
 }
 
-void MeasureSphereMap(const Surface& surface, SurfaceMap* map) {
+void MeasureSphereMap(const Surface& surface, const EdgeLengths& source, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
-  const EdgeLengths source = MeasureEdgeLengths(surface), image = ChordLengths(t, map->position);
+  const EdgeLengths image = ChordLengths(t, map->position);
   const CornerUv planar = FacesInPlane(t, image);
   const MappedFaces faces = MeasureFaces(t, source, planar);
   const Eigen::VectorXd differences = AngleDifferences(t, source, image);
@@ -55,14 +56,10 @@ void MeasureSphereMap(const Surface& surface, SurfaceMap* map) {
     map->angle_distortion[f] = differences.segment<3>(3 * f).maxCoeff();
   }
   Certificate& certificate = map->certificate;
-  certificate.values.merge(
-      *MeasureFigures(t, source, planar,
-                      {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
-                       "log_area_ratio_min", "log_area_ratio_max"}));
-  certificate.values.merge(
-      std::map<std::string, double>{{"angle_distortion_mean", differences.mean()},
-                                    {"angle_distortion_max", differences.maxCoeff()},
-                                    {"degree", SphericalDegree(t, map->position)}});
+  certificate.distortion = DistortionOf(t, source, planar);
+  certificate.sphere->angle_distortion_mean = differences.mean();
+  certificate.sphere->angle_distortion_max = differences.maxCoeff();
+  certificate.sphere->degree = SphericalDegree(t, map->position);
   certificate.overlap = "injective";  // no flips, and the degree of a sphere's layout is 1
 }
 

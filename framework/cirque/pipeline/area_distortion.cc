@@ -17,9 +17,14 @@ namespace {
 
 constexpr double kLevel = 1e-9;  ///< added to the dual's Hessian, which can be singular
 
+/// The surface's own angles, where it was solved.
+CornerAngles SourceAngles(const FlatSurface& flat) {
+  return MeasureCornerAngles(flat.intrinsic.triangulation, flat.intrinsic.lengths);
+}
+
 /// Logarithms of face areas from lengths and angles of the same triangles.
-Eigen::VectorXd LogAreas(const Triangulation& t, const EdgeLengths& lengths) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+Eigen::VectorXd LogAreas(const Triangulation& t, const EdgeLengths& lengths,
+                         const CornerAngles& angles) {
   Eigen::VectorXd log_area(t.num_faces());
   for (Index f = 0; f < t.num_faces(); ++f) {
     log_area[f] = std::log(0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]]) +
@@ -35,9 +40,9 @@ Eigen::VectorXd Shares(const Eigen::VectorXd& log_area) {
 
 /// Shares of the areas before and after, and the logarithms of their ratios.
 struct AreaRatios {
-  explicit AreaRatios(const FlatSurface& flat) {
+  AreaRatios(const FlatSurface& flat, const CornerAngles& source_angles) {
     const Triangulation& t = flat.intrinsic.triangulation;
-    const Eigen::VectorXd log_source = LogAreas(t, flat.intrinsic.lengths);
+    const Eigen::VectorXd log_source = LogAreas(t, flat.intrinsic.lengths, source_angles);
     const CornerAngles phi = FlatCornerAngles(t, flat.angles, flat.log_radii);
     Eigen::VectorXd log_image = 2 * flat.log_radii.value;
     for (Index h = 0; h < t.num_halfedges(); ++h) {
@@ -76,9 +81,10 @@ class Adjoint {
         t_(flat.intrinsic.triangulation),
         constraints_(t_, targets),
         objective_(objective),
+        reference_(SourceAngles(flat)),
         by_phi_(t_.num_halfedges()),
         by_rho_(t_.num_faces()) {
-    const Eigen::VectorXd by_area = AreaRatios(flat).Gradient();
+    const Eigen::VectorXd by_area = AreaRatios(flat, reference_).Gradient();
     const CornerAngles phi = FlatCornerAngles(t_, flat.angles, flat.log_radii);
     by_rho_ = 2 * by_area;
     for (Index h = 0; h < t_.num_halfedges(); ++h) {
@@ -154,12 +160,11 @@ class Adjoint {
 
   Eigen::VectorXd SolveFit(const Eigen::VectorXd& q) const {
     CHECK_EQ(flat_.multipliers.size(), constraints_.num_rows());
-    const CornerAngles reference = MeasureCornerAngles(t_, flat_.intrinsic.lengths);
     EdgeBlockAssembler matrix(constraints_);
     Eigen::VectorXd moved(t_.num_halfedges());
     for (const Index h : t_.edge_halfedge) {
       const Index g = t_.twin[h];
-      const EdgeConjugate c = Conjugate(reference.value, h);
+      const EdgeConjugate c = Conjugate(reference_.value, h);
       matrix.Add(h, h, c.h_ll);
       moved[h] = c.h_ll * q[h];
       if (g == kNone) continue;
@@ -180,12 +185,15 @@ class Adjoint {
   const Triangulation& t_;
   const AngleConstraints constraints_;
   const AngleObjective& objective_;
+  const CornerAngles reference_;
   Eigen::VectorXd by_phi_, by_rho_;
 };
 
 }  // namespace
 
-double AreaDistortion(const FlatSurface& flat) { return AreaRatios(flat).Distortion(); }
+double AreaDistortion(const FlatSurface& flat) {
+  return AreaRatios(flat, SourceAngles(flat)).Distortion();
+}
 
 Eigen::VectorXd AreaDistortionGradient(const FlatSurface& flat, const ConeTargets& targets,
                                        const AngleObjective& objective) {

@@ -1,29 +1,30 @@
 #include "cirque/pipeline/certificate.h"
 
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include "cirque/pipeline/certificate_fields.h"
 
 namespace cirque {
 namespace {
 
 /// JSON has no NaN: what a run did not come to is null.
+nlohmann::ordered_json NumberToJson(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+}
+
 nlohmann::ordered_json NumbersToJson(const std::map<std::string, double>& numbers) {
   auto json = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : numbers) {
-    json[name] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
-  }
+  for (const auto& [name, value] : numbers) json[name] = NumberToJson(value);
   return json;
 }
 
-nlohmann::ordered_json HistoryToJson(const std::map<std::string, std::vector<double>>& history) {
-  auto json = nlohmann::ordered_json::object();
-  for (const auto& [stage, gradients] : history) {
-    json[stage] = nlohmann::ordered_json::array();
-    for (const double gradient : gradients) {
-      json[stage].push_back(std::isfinite(gradient) ? nlohmann::ordered_json(gradient) : nullptr);
-    }
-  }
+nlohmann::ordered_json NumbersToJson(const std::vector<double>& numbers) {
+  auto json = nlohmann::ordered_json::array();
+  for (const double number : numbers) json.push_back(NumberToJson(number));
   return json;
 }
 
@@ -44,14 +45,37 @@ nlohmann::ordered_json InfeasibilityToJson(const InfeasibilityCertificate& proof
 }  // namespace
 
 std::string Certificate::ToJson() const {
-  nlohmann::ordered_json json = {{"outcome", outcome}, {"message", message}};
-  json["overlap"] = overlap;
-  json["values"] = NumbersToJson(values);
-  if (!strategies.empty()) json["strategies"] = strategies;
-  json["seconds"] = NumbersToJson(seconds);
-  if (!history.empty()) json["history"] = HistoryToJson(history);
+  nlohmann::ordered_json json = {{"schema", kCertificateSchema},
+                                 {"version", kCertificateVersion},
+                                 {"outcome", outcome},
+                                 {"message", message},
+                                 {"overlap", overlap},
+                                 {"values", NumbersToJson(NumbersOf(*this))},
+                                 {"seconds", NumbersToJson(SecondsOf(*this))},
+                                 {"solvers", nlohmann::ordered_json::object()},
+                                 {"history", nlohmann::ordered_json::object()}};
+  if (angle_fit) {
+    json["solvers"]["angles"] = angle_fit->solver;
+    json["history"]["angles"] = NumbersToJson(angle_fit->gradients);
+  }
+  if (radii) {
+    json["solvers"]["radii"] = radii->solver;
+    json["history"]["radii"] = NumbersToJson(radii->gradients);
+  }
   if (!infeasibility.empty()) json["infeasibility"] = InfeasibilityToJson(infeasibility);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
+  certificate->seconds.total = timer.Seconds();
+  certificate->outcome = ToString(status.code());
+  certificate->message = status.message();
+  return status;
+}
+
+void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof) {
+  for (Index& v : proof->constrained_vertex) v = surface.soup_vertex[v];
+  for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
 }
 
 }  // namespace cirque

@@ -21,13 +21,12 @@ Eigen::VectorXd LogStretch(const EdgeLengths& lengths, const EdgeLengths& flat) 
   return (u - u.mean()).abs();
 }
 
-Eigen::VectorXd EdgeCurvature(const Triangulation& t, const EdgeLengths& lengths) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
-  const std::vector<bool> boundary = BoundaryVertices(t);
+Eigen::VectorXd EdgeCurvature(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
   Eigen::VectorXd curvature = Eigen::VectorXd::Constant(t.num_vertices, 2 * kPi);
-  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= angles.value[h];
+  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= surface.angles.value[h];
   Eigen::VectorXd of_edge(t.num_edges());
-  const auto at = [&](Index v) { return boundary[v] ? 0 : std::abs(curvature[v]); };
+  const auto at = [&](Index v) { return surface.boundary[v] ? 0 : std::abs(curvature[v]); };
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
     of_edge[e] = 0.5 * (at(t.Tail(h)) + at(t.Tip(h)));
@@ -35,8 +34,8 @@ Eigen::VectorXd EdgeCurvature(const Triangulation& t, const EdgeLengths& lengths
   return of_edge;
 }
 
-Eigen::VectorXd CostsBy(const Triangulation& t, const EdgeLengths& lengths, const EdgeLengths& flat,
-                        CutCost cost) {
+Eigen::VectorXd CostsBy(const IntrinsicSurface& surface, const EdgeLengths& flat, CutCost cost) {
+  const EdgeLengths& lengths = surface.lengths;
   switch (cost) {
     case CutCost::kFlatLength:
       return flat.value;
@@ -45,26 +44,26 @@ Eigen::VectorXd CostsBy(const Triangulation& t, const EdgeLengths& lengths, cons
     case CutCost::kDistortion:
       return Preferring(LogStretch(lengths, flat), lengths);
     case CutCost::kCurvature:
-      return Preferring(EdgeCurvature(t, lengths), lengths);
+      return Preferring(EdgeCurvature(surface), lengths);
   }
   return flat.value;
 }
 
 }  // namespace
 
-StatusOr<Eigen::VectorXd> CutCosts(const Triangulation& t, const EdgeLengths& lengths,
-                                   const EdgeLengths& flat, const ParameterizeOptions& options,
+StatusOr<Eigen::VectorXd> CutCosts(const IntrinsicSurface& surface, const EdgeLengths& flat,
+                                   const ParameterizeOptions& options,
                                    const std::vector<Index>& vertex_in_file) {
-  const Eigen::VectorXd costs = CostsBy(t, lengths, flat, options.cut_cost);
+  const Eigen::VectorXd costs = CostsBy(surface, flat, options.cut_cost);
   if (options.edge_costs.empty()) return costs;
-  const auto factors = ReadEdgeCostFile(options.edge_costs, t, vertex_in_file);
+  const auto factors = ReadEdgeCostFile(options.edge_costs, surface.triangulation, vertex_in_file);
   if (!factors.ok()) return factors.status();
   return Eigen::VectorXd(costs.cwiseProduct(*factors));
 }
 
-double RelativeCutLength(const Triangulation& t, const EdgeLengths& lengths, const Cut& cut) {
+double RelativeCutLength(const IntrinsicSurface& surface, const Cut& cut) {
   if (cut.IsEmpty()) return 0;
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+  const auto& [t, lengths, angles, boundary, corners] = surface;
   double area = 0, length = 0;
   for (Index f = 0; f < t.num_faces(); ++f) {
     area += 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *

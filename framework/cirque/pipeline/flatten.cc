@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,11 +26,12 @@ namespace {
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
 constexpr char kRetry[] = "interior_point";
 
-double Area(const Triangulation& t, const EdgeLengths& lengths) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+double Area(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
+  const Eigen::VectorXd& length = surface.lengths.value;
   return ParallelSum(t.num_faces(), [&](Index f) {
-    return 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
-           std::sin(angles.value[3 * f + 2]);
+    return 0.5 * length[t.edge[3 * f]] * length[t.edge[3 * f + 1]] *
+           std::sin(surface.angles.value[3 * f + 2]);
   });
 }
 
@@ -51,26 +53,32 @@ std::vector<bool> Neighbourhood(const Triangulation& t, std::vector<Index> faces
   return inside;
 }
 
+/// max |gradient| at the start and after every iteration.
+std::vector<double> GradientsOf(const SolveSummary& solve) {
+  std::vector<double> gradients = {solve.initial_gradient_max};
+  for (const IterationRecord& step : solve.iterations) gradients.push_back(step.gradient_max);
+  return gradients;
+}
+
 /// One surface on its way to a flat metric.
 class Flattening {
  public:
-  Flattening(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
-             const ParameterizeOptions& options, const SolveControl& control,
-             Certificate* certificate, FlatSurface* result)
-      : input_(input),
-        lengths_(lengths),
-        targets_(targets),
-        options_(options),
-        control_(control),
+  Flattening(const FlattenJob& job, Certificate* certificate, FlatSurface* result)
+      : job_(job),
+        input_(job.surface.triangulation),
+        targets_(job.targets),
+        options_(job.options),
         certificate_(*certificate),
+        flips_(Fill(&certificate->triangulation)),
         result_(*result),
-        source_area_(Area(input, lengths)) {}
+        source_area_(Area(job.surface)) {}
 
-  Status Run(std::vector<bool> locked) {
-    if (Status s = CheckTargets(input_, targets_, &certificate_.infeasibility); !s.ok()) return s;
+  Status Run() {
+    if (Status s = CheckTargets(input_, targets_, &result_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == SolvedTriangulation::kInput) return SolveOnInput();
-    locked.resize(input_.num_edges(), false);
-    certificate_.values["delaunay_rounds"] = 0;
+    std::vector<bool> locked(input_.num_edges(), false);
+    if (job_.locked) locked = *job_.locked;
+    flips_.delaunay_rounds = 0;
     const auto flipped = SolveLockingFlipped(
         std::move(locked), [&](const std::vector<bool>& edges) { return SolveRound(edges); },
         [&](const std::vector<Index>& faces, std::vector<bool>* edges) {
@@ -86,10 +94,10 @@ class Flattening {
   /// Keeps the edges of faces that came out flipped: those faces then are faces of the pattern.
   /// What is kept strains its surroundings, which may come out flipped next; from the second time
   /// on more and more of them is kept, until the border lies where little is to be flipped.
-  void Lock(const std::vector<Index>& mirrored, int round, std::vector<bool>* locked) const {
+  void Lock(const std::vector<Index>& flipped, int round, std::vector<bool>* locked) const {
     const double extent = std::sqrt(input_.num_faces());  // of the mesh, in edges
     const int edges = static_cast<int>(round * kKeptShare * extent);
-    const std::vector<bool> kept = Neighbourhood(input_, mirrored, edges);
+    const std::vector<bool> kept = Neighbourhood(input_, flipped, edges);
     for (Index h = 0; h < input_.num_halfedges(); ++h) {
       if (kept[Triangulation::Face(h)]) (*locked)[input_.edge[h]] = true;
     }
@@ -100,36 +108,36 @@ class Flattening {
   }
 
   StatusOr<std::vector<Index>> SolveRound(const std::vector<bool>& locked) {
-    ++certificate_.values["delaunay_rounds"];
+    ++*flips_.delaunay_rounds;
     const Timer timer;
-    result_.intrinsic = MakeIntrinsicDelaunay(input_, lengths_, {&targets_, locked});
-    certificate_.seconds["triangulation"] += timer.Seconds();
+    result_.intrinsic = MakeIntrinsicDelaunay(input_, job_.surface.lengths, {&targets_, locked});
+    AddSeconds(timer, &certificate_.seconds.triangulation);
     if (Status s = Solve(); !s.ok()) return s;
     return result_.on_input.flipped;
   }
 
   Status SolveOnInput() {
-    result_.intrinsic = {input_, lengths_, {}, {}};
+    result_.intrinsic = {input_, job_.surface.lengths, {}, {}};
     return Solve();
   }
 
   Status Solve() {
-    certificate_.infeasibility = {};
-    Put({{"flips", static_cast<double>(result_.intrinsic.flips.size())}});
+    result_.infeasibility = {};
+    flips_.flips = static_cast<int>(result_.intrinsic.flips.size());
     const auto strategy = MakeSolverStrategy(options_.radii_solver, SolverOptions());
     if (!strategy.ok()) return strategy.status();
     strategy_ = *strategy;
     radii_system_ = std::make_unique<RadiiSystem>(t(), *strategy_);
-    if (Status s = Timed("angles", &Flattening::FitAngles); !s.ok()) return s;
-    if (Status s = Timed("radii", &Flattening::SolveRadii); !s.ok()) return s;
+    if (Status s = Timed(&Flattening::FitAngles, &StageSeconds::angles); !s.ok()) return s;
+    if (Status s = Timed(&Flattening::SolveRadii, &StageSeconds::radii); !s.ok()) return s;
     radii_system_.reset();
-    return Timed("layout", &Flattening::ReadBack);
+    return Timed(&Flattening::ReadBack, &StageSeconds::layout);
   }
 
-  Status Timed(const char* stage, Status (Flattening::*step)()) {
+  Status Timed(Status (Flattening::*step)(), std::optional<double> StageSeconds::*stage) {
     const Timer timer;
     Status status = (this->*step)();
-    certificate_.seconds[stage] += timer.Seconds();
+    AddSeconds(timer, &(certificate_.seconds.*stage));
     return status;
   }
 
@@ -146,28 +154,40 @@ class Flattening {
     const AngleConstraints constraints(t(), targets);
     const auto method = MakeAngleSolver(options_.angle_solver, SolverOptions());
     if (!method.ok()) return method.status();
-    const CornerAngles reference = MeasureCornerAngles(t(), result_.intrinsic.lengths);
+    CornerAngles flipped;
+    if (!result_.intrinsic.flips.empty()) {
+      flipped = MeasureCornerAngles(t(), result_.intrinsic.lengths);
+    }
+    const CornerAngles& reference = result_.intrinsic.flips.empty() ? job_.surface.angles : flipped;
     const AngleFitProblem problem = {constraints, reference.value, options_.epsilon,
                                      StartOfFit(constraints)};
     AngleFitResult fit;
-    Status status = cirque::FitAngles(problem, *objective, **method, control_, &fit);
+    Status status = cirque::FitAngles(problem, *objective, **method, job_.control, &fit);
     if (status.code() == StatusCode::kNotConverged && result_.intrinsic.flips.empty()) {
       RetryByInteriorPoint(problem, *objective, &fit, &status);
     }
-    certificate_.infeasibility = std::move(fit.infeasibility);
-    Record("angle", fit.solve);
-    RecordHistory("angles", fit.solve);
-    Put({{"smallest_angle", fit.kkt.smallest_angle},
-         {"smallest_theta", fit.kkt.smallest_theta},
-         {"epsilon", fit.angles.epsilon},
-         {"triangle_sum_residual", fit.kkt.triangle_sum_residual},
-         {"vertex_sum_residual", fit.kkt.vertex_sum_residual},
-         {"angle_primal", fit.kkt.primal},
-         {"angle_dual", fit.kkt.dual},
-         {"angle_gap", fit.kkt.RelativeGap()}});
+    result_.infeasibility = std::move(fit.infeasibility);
+    Record(fit);
     result_.angles = std::move(fit.angles);
     result_.multipliers = std::move(fit.multipliers);
     return status;
+  }
+
+  void Record(const AngleFitResult& fit) {
+    AngleFitSummary& summary = Fill(&certificate_.angle_fit);
+    summary.smallest_angle = fit.kkt.smallest_angle;
+    summary.smallest_theta = fit.kkt.smallest_theta;
+    summary.epsilon = fit.angles.epsilon;
+    summary.triangle_sum_residual = fit.kkt.triangle_sum_residual;
+    summary.vertex_sum_residual = fit.kkt.vertex_sum_residual;
+    summary.angle_primal = fit.kkt.primal;
+    summary.angle_dual = fit.kkt.dual;
+    summary.angle_gap = fit.kkt.RelativeGap();
+    summary.angle_iterations = fit.solve.num_iterations();
+    summary.angle_factorizations = fit.solve.factorizations;
+    summary.angle_cg_iterations = fit.solve.cg_iterations;
+    summary.solver = fit.solve.strategy;
+    summary.gradients = GradientsOf(fit.solve);
   }
 
   /// Another round changes the triangulation in a few places: its multipliers are nearly the last
@@ -185,9 +205,9 @@ class Flattening {
     const auto method = MakeAngleSolver(kRetry);
     if (!method.ok()) return;
     AngleFitResult retried;
-    const Status again = cirque::FitAngles(problem, objective, **method, control_, &retried);
+    const Status again = cirque::FitAngles(problem, objective, **method, job_.control, &retried);
     if (!again.ok() && again.code() != StatusCode::kInfeasible) return;
-    certificate_.values["angle_fit_retried"] = 1;
+    Fill(&certificate_.angle_fit).angle_fit_retried = 1;
     *fit = std::move(retried);
     *status = again;
   }
@@ -195,19 +215,25 @@ class Flattening {
   Status SolveRadii() {
     LogRadiiResult radii;
     Status status =
-        SolveLogRadii(t(), result_.angles, *strategy_, control_, radii_system_.get(), &radii);
-    Record("radii", radii.solve);
-    RecordHistory("radii", radii.solve);
-    certificate_.values["radii_factorizations"] += radii.start.factorizations;
-    certificate_.values["radii_cg_iterations"] += radii.start.cg_iterations;
-    const Eigen::VectorXd& rho = radii.log_radii.value;
-    Put({{"radii_gradient", radii.gradient_max},
-         {"radii_primal", radii.energy},
-         {"radii_dual", radii.dual_energy},
-         {"radii_gap", radii.RelativeGap()},
-         {"log_radius_range", rho.maxCoeff() - rho.minCoeff()}});
+        SolveLogRadii(t(), result_.angles, *strategy_, job_.control, radii_system_.get(), &radii);
+    Record(radii);
     result_.log_radii = std::move(radii.log_radii);
     return status;
+  }
+
+  void Record(const LogRadiiResult& radii) {
+    RadiiSummary& summary = Fill(&certificate_.radii);
+    const Eigen::VectorXd& rho = radii.log_radii.value;
+    summary.radii_gradient = radii.gradient_max;
+    summary.radii_primal = radii.energy;
+    summary.radii_dual = radii.dual_energy;
+    summary.radii_gap = radii.RelativeGap();
+    summary.radii_iterations = radii.solve.num_iterations();
+    summary.radii_factorizations = radii.solve.factorizations + radii.start.factorizations;
+    summary.radii_cg_iterations = radii.solve.cg_iterations + radii.start.cg_iterations;
+    summary.log_radius_range = rho.maxCoeff() - rho.minCoeff();
+    summary.solver = radii.solve.strategy;
+    summary.gradients = GradientsOf(radii.solve);
   }
 
   Status ReadBack() {
@@ -215,23 +241,21 @@ class Flattening {
     ScaleToSurfaceArea(flat);
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
-    Put({{"mirrored_triangles", static_cast<double>(result_.on_input.flipped.size())}});
+    flips_.flipped_in_chart = static_cast<int>(result_.on_input.flipped.size());
     Untangle();
     return Status();
   }
 
-  /// Few faces are mirrored, if any, and moving a vertex a little rights most of them.
+  /// Few faces are flipped, if any, and moving a vertex a little rights most of them.
   void Untangle() {
-    int moves = 0;
-    if (!result_.on_input.flipped.empty()) {
-      std::vector<bool> movable = BoundaryVertices(input_);
-      for (Index v = 0; v < input_.num_vertices; ++v) {
-        movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
-      }
-      moves = UntangleFlippedTriangles(input_, MeasureCornerAngles(input_, lengths_), lengths_,
-                                       movable, &result_.on_input);
+    flips_.moved_vertices = 0;
+    if (result_.on_input.flipped.empty()) return;
+    std::vector<bool> movable = job_.surface.boundary;
+    for (Index v = 0; v < input_.num_vertices; ++v) {
+      movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
     }
-    Put({{"moved_vertices", static_cast<double>(moves)}});
+    flips_.moved_vertices = UntangleFlippedTriangles(
+        input_, job_.surface.angles, job_.surface.lengths, movable, &result_.on_input);
   }
 
   /// Shifts the gauge so that the image has the surface's area.
@@ -245,29 +269,12 @@ class Flattening {
     result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);
   }
 
-  void Record(const std::string& stage, const SolveSummary& solve) {
-    certificate_.strategies[stage] = solve.strategy;
-    Put({{stage + "_iterations", solve.num_iterations()},
-         {stage + "_factorizations", solve.factorizations},
-         {stage + "_cg_iterations", solve.cg_iterations}});
-  }
-
-  void RecordHistory(const std::string& stage, const SolveSummary& solve) {
-    std::vector<double>& gradients = certificate_.history[stage];
-    gradients = {solve.initial_gradient_max};
-    for (const IterationRecord& step : solve.iterations) gradients.push_back(step.gradient_max);
-  }
-
-  void Put(const std::map<std::string, double>& values) {
-    for (const auto& [name, value] : values) certificate_.values[name] = value;
-  }
-
+  const FlattenJob& job_;
   const Triangulation& input_;
-  const EdgeLengths& lengths_;
   const ConeTargets& targets_;
   const ParameterizeOptions& options_;
-  const SolveControl& control_;
   Certificate& certificate_;
+  TriangulationSummary& flips_;
   FlatSurface& result_;
   const double source_area_;
   int rounds_solved_ = 0;                           ///< of the lazily constrained loop
@@ -288,10 +295,8 @@ StatusOr<std::vector<Index>> SolveLockingFlipped(std::vector<bool> locked,
   return flipped;
 }
 
-Status Flatten(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
-               const ParameterizeOptions& options, const SolveControl& control,
-               Certificate* certificate, FlatSurface* result, const std::vector<bool>& locked) {
-  return Flattening(input, lengths, targets, options, control, certificate, result).Run(locked);
+Status Flatten(const FlattenJob& job, Certificate* certificate, FlatSurface* result) {
+  return Flattening(job, certificate, result).Run();
 }
 
 }  // namespace cirque

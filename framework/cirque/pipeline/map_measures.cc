@@ -20,26 +20,22 @@ std::string ToString(BoundaryContact contact) {
 
 }  // namespace
 
-void PutMeasures(const Triangulation& t, const EdgeLengths& lengths, Parameterization* result) {
+void MeasureDistortion(const Triangulation& t, const EdgeLengths& lengths,
+                       Parameterization* result) {
   const Triangulation opened = CutOpen(t, result->cut);
-  Certificate& certificate = result->certificate;
-  certificate.overlap = ToString(FindBoundaryContact(opened, result->uv));
-  certificate.values.merge(
-      *MeasureFigures(t, lengths, result->uv,
-                      {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
-                       "log_area_ratio_min", "log_area_ratio_max"}));
+  result->certificate.overlap = ToString(FindBoundaryContact(opened, result->uv));
+  result->certificate.distortion = DistortionOf(t, lengths, result->uv);
 }
 
-Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
-  certificate->seconds["total"] = timer.Seconds();
-  certificate->outcome = ToString(status.code());
-  certificate->message = status.message();
-  return status;
-}
-
-void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof) {
-  for (Index& v : proof->constrained_vertex) v = surface.soup_vertex[v];
-  for (Index& v : proof->carrying_vertices) v = surface.soup_vertex[v];
+DistortionSummary DistortionOf(const Triangulation& t, const EdgeLengths& lengths,
+                               const CornerUv& uv) {
+  const auto figures =
+      MeasureFigures(t, lengths, uv,
+                     {"quasi_conformal_mean", "quasi_conformal_max", "log_area_ratio_l2",
+                      "log_area_ratio_min", "log_area_ratio_max"});
+  return {figures->at("quasi_conformal_mean"), figures->at("quasi_conformal_max"),
+          figures->at("log_area_ratio_l2"), figures->at("log_area_ratio_min"),
+          figures->at("log_area_ratio_max")};
 }
 
 }  // namespace cirque

@@ -7,14 +7,12 @@
 
 namespace cirque {
 
-/// Fills in overlap and the measures of the certificate for result->uv and result->cut.
-void PutMeasures(const Triangulation& triangulation, const EdgeLengths& lengths,
-                 Parameterization* result);
+/// Fills in the certificate's overlap and figures of distortion for result->uv and result->cut.
+void MeasureDistortion(const Triangulation& triangulation, const EdgeLengths& lengths,
+                       Parameterization* result);
 
-/// Fills in outcome, message and total time of a run; returns its status.
-Status Conclude(const Status& status, const Timer& timer, Certificate* certificate);
-
-/// Renumbers the proof's vertices as the input file has them.
-void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof);
+/// The certificate's figures of distortion of a map of flat triangles.
+DistortionSummary DistortionOf(const Triangulation& triangulation, const EdgeLengths& lengths,
+                               const CornerUv& uv);
 
 }  // namespace cirque

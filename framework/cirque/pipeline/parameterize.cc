@@ -30,24 +30,30 @@ constexpr double kFlatness = 1e-6;  ///< [rad]: a vertex closer to 2 pi is no co
 
 /// What is parameterized, and how.
 struct Job {
-  const Triangulation& t;
-  const EdgeLengths& lengths;
+  const IntrinsicSurface& surface;
   const FileVertices& file;
   const Cut* cut;  ///< null: a short one is sought
   const ParameterizeOptions& options;
   const SolveControl& control;
 };
 
+/// Cones where they lie, and what their angles shall be.
+struct PlacedCones {
+  const Triangulation& triangulation;
+  const ConeTargets& targets;
+  const std::vector<Index>& cones;
+};
+
 /// The given cut, or one through the cones, short by the costs that the options name.
 StatusOr<Cut> ChooseCut(const Job& job, const InputChart& flat, const std::vector<Index>& cones) {
   if (job.cut) {
-    if (Status s = CheckCut(job.t, *job.cut, cones); !s.ok()) return s;
+    if (Status s = CheckCut(job.surface.triangulation, *job.cut, cones); !s.ok()) return s;
     return *job.cut;
   }
   const StatusOr<Eigen::VectorXd> costs =
-      CutCosts(job.t, job.lengths, flat.lengths, job.options, job.file.of_vertex);
+      CutCosts(job.surface, flat.lengths, job.options, job.file.of_vertex);
   if (!costs.ok()) return costs.status();
-  return CutGraph(job.t, *costs, cones);
+  return CutGraph(job.surface.triangulation, *costs, cones);
 }
 
 StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& t, const InputChart& flat,
@@ -56,35 +62,40 @@ StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& t, con
   return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
 }
 
-Status Unrepresentable(const Certificate& certificate, const std::vector<Index>& flipped) {
+Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped) {
+  const Eigen::VectorXd& rho = radii.value;
+  const double range = rho.size() > 0 ? rho.maxCoeff() - rho.minCoeff() : 0;
   return Status(
       StatusCode::kUnrepresentable,
       fmt::format(
           "the flat metric exists but doubles cannot hold it in one chart: log radii range "
           "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
-          certificate.values.at("log_radius_range"), flipped.size(), IdList(flipped, 5)));
+          range, flipped.size(), IdList(flipped, 5)));
 }
 
 /// Several patches, each in a frame of its own: side by side. One patch: exact rotations across the
-/// seams where the cones' angles allow it.
-void Arrange(const Triangulation& t, const ConeTargets& targets, const std::vector<Index>& cones,
-             const InputChart& flat, const Cut& cut, PlanarLayout* layout,
-             Certificate* certificate) {
-  certificate->values["rotation_order"] = 0;
+/// seams where the cones' angles allow it; their order, 0 where they do not.
+int Arrange(const PlacedCones& placed, const InputChart& flat, const Cut& cut,
+            PlanarLayout* layout) {
   if (layout->patches.count > 1) {
     layout->uv = PackPatches(layout->uv, layout->patches, {}).uv;
-    return;
+    return 0;
   }
-  const int order = CommonRotationOrder(targets, cones);
-  if (order > 0 && SnapRotations(t, cut, cones, flat.angles, order, &layout->uv)) {
-    certificate->values["rotation_order"] = order;
-  }
+  const int order = CommonRotationOrder(placed.targets, placed.cones);
+  const bool exact = order > 0 && SnapRotations(placed.triangulation, cut, placed.cones,
+                                                flat.angles, order, &layout->uv);
+  return exact ? order : 0;
+}
+
+SeamSummary SummaryOf(const SeamReport& report) {
+  return {static_cast<int>(report.seams.size()), report.max_length_mismatch,
+          report.max_rotation_mismatch, report.max_gap, report.max_cone_mismatch};
 }
 
 /// Cuts and lays out, several patches side by side in the unit square; refuses a layout with a
 /// flipped triangle.
 Status CutAndPlace(const Job& job, Parameterization* result) {
-  const Triangulation& t = job.t;
+  const Triangulation& t = job.surface.triangulation;
   Certificate& certificate = result->certificate;
   const InputChart& flat = result->flat.on_input;
   const std::vector<Index> cones = ConeVertices(t, result->targets);
@@ -93,27 +104,22 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   StatusOr<PlanarLayout> laid_out = LayOutBy(job.options.layout, t, flat, *cut);
   if (!laid_out.ok()) return laid_out.status();
   PlanarLayout& layout = *laid_out;
+  LayoutSummary& summary = Fill(&certificate.layout);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
-    Status refined = RefineLayout(t, job.lengths, flat, *cut, cones, job.options.refine_map,
-                                  job.control.cancelled, &layout, &certificate);
+    Status refined = RefineLayout({job.surface, flat, *cut, cones, job.control.cancelled},
+                                  job.options.refine_map, &layout, &certificate.map_refinement);
     if (!refined.ok()) return refined;
-    Arrange(t, result->targets, cones, flat, *cut, &layout, &certificate);
+    summary.rotation_order = Arrange({t, result->targets, cones}, flat, *cut, &layout);
     flipped = FlippedFaces(t, layout.uv);
   }
-  const SeamReport seams = MeasureSeams(t, *cut, cones, flat.angles, layout.uv);
-  certificate.values.merge(
-      std::map<std::string, double>{{"cones", static_cast<double>(cones.size())},
-                                    {"cut_length", RelativeCutLength(t, job.lengths, *cut)},
-                                    {"patches", static_cast<double>(layout.patches.count)},
-                                    {"seams", static_cast<double>(seams.seams.size())},
-                                    {"seam_length_mismatch", seams.max_length_mismatch},
-                                    {"seam_rotation_mismatch", seams.max_rotation_mismatch},
-                                    {"seam_gap", seams.max_gap},
-                                    {"cone_rotation_mismatch", seams.max_cone_mismatch},
-                                    {"layout_closure", layout.closure},
-                                    {"flipped_triangles", static_cast<double>(flipped.size())}});
-  if (!flipped.empty()) return Unrepresentable(certificate, flipped);
+  certificate.seams = SummaryOf(MeasureSeams(t, *cut, cones, flat.angles, layout.uv));
+  summary.layout_closure = layout.closure;
+  summary.flipped_triangles = static_cast<int>(flipped.size());
+  summary.cones = static_cast<int>(cones.size());
+  summary.patches = static_cast<int>(layout.patches.count);
+  summary.cut_length = RelativeCutLength(job.surface, *cut);
+  if (!flipped.empty()) return Unrepresentable(result->flat.log_radii, flipped);
   result->cut = *std::move(cut);
   result->uv = std::move(layout.uv);
   return Status();
@@ -123,38 +129,40 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
 Status LayOut(const Job& job, Parameterization* result) {
   const Timer timer;
   Status status = CutAndPlace(job, result);
-  result->certificate.seconds["layout"] += timer.Seconds();
+  AddSeconds(timer, &result->certificate.seconds.layout);
   return status;
 }
 
 Status FlattenAsAsked(const Job& job, Parameterization* result) {
-  return Flatten(job.t, job.lengths, result->targets, job.options, job.control,
-                 &result->certificate, &result->flat);
+  return Flatten({job.surface, result->targets, job.options, job.control}, &result->certificate,
+                 &result->flat);
 }
 
 /// Flattens and lays out the surface opened along the cut, whose boundary then is free. It has
 /// coherent angles where the whole one has them on the same connectivity; a proof that it has none
 /// would be no proof about the input.
 Status FreeSeams(const Job& job, Parameterization* result) {
-  const std::vector<Index> cones = ConeVertices(job.t, result->targets);
+  const Triangulation& t = job.surface.triangulation;
+  const std::vector<Index> cones = ConeVertices(t, result->targets);
   StatusOr<Cut> cut = ChooseCut(job, result->flat.on_input, cones);
   if (!cut.ok()) return cut.status();
-  const Triangulation open = CutOpen(job.t, *cut);
-  const EdgeLengths lengths = OpenedLengths(job.t, job.lengths, open);
+  const Triangulation open = CutOpen(t, *cut);
+  const EdgeLengths lengths = OpenedLengths(t, job.surface.lengths, open);
+  const IntrinsicSurface surface = MeasureSurface(open, lengths);
   const Cut none{std::vector<bool>(open.num_edges(), false)};
-  const Job opened{open, lengths, job.file, &none, job.options, job.control};
+  const Job opened{surface, job.file, &none, job.options, job.control};
   result->targets = FreeBoundaryTargets(open);
   Status status = FlattenAsAsked(opened, result);
   if (status.ok()) status = LayOut(opened, result);
   if (status.code() == StatusCode::kInfeasible) {
-    result->certificate.infeasibility = {};
+    result->flat.infeasibility = {};
     return Status(StatusCode::kNotConverged,
                   "the surface opened along its cut has no coherent angles on its connectivity; "
                   "the whole one has: keep rigid seams");
   }
-  auto& values = result->certificate.values;
-  values["cones"] = static_cast<double>(cones.size());
-  values["cut_length"] = RelativeCutLength(job.t, job.lengths, *cut);
+  LayoutSummary& summary = Fill(&result->certificate.layout);
+  summary.cones = static_cast<int>(cones.size());
+  summary.cut_length = RelativeCutLength(job.surface, *cut);
   result->cut = *std::move(cut);
   return status;
 }
@@ -164,17 +172,17 @@ Status LayOutAndMeasure(const Job& job, Parameterization* result) {
       job.options.seams == SeamKind::kFree ? FreeSeams(job, result) : LayOut(job, result);
   if (!status.ok()) return status;
   const Timer measure_timer;
-  PutMeasures(job.t, job.lengths, result);
-  result->certificate.seconds["measures"] = measure_timer.Seconds();
+  MeasureDistortion(job.surface.triangulation, job.surface.lengths, result);
+  result->certificate.seconds.measures = measure_timer.Seconds();
   return status;
 }
 
 Status Run(const Job& job, Parameterization* result) {
   if (job.options.refine_cones > 0) {
     const Timer timer;
-    Status status = RefineCones(job.t, job.lengths, job.options, job.control, &result->certificate,
-                                &result->targets, &result->flat);
-    result->certificate.seconds["refine_cones"] = timer.Seconds();
+    Status status = RefineCones({job.surface, result->targets, job.options, job.control},
+                                &result->certificate, &result->targets, &result->flat);
+    result->certificate.seconds.refine_cones = timer.Seconds();
     if (!status.ok()) return status;
   }
   return LayOutAndMeasure(job, result);
@@ -189,15 +197,15 @@ Status RunWithTargets(const Job& job, Parameterization* result) {
 /// Cones that the program chose and that turn out infeasible are changed until they are feasible.
 Status FlattenAndRepair(const Job& job, Parameterization* result) {
   Status status = FlattenAsAsked(job, result);
-  auto& values = result->certificate.values;
   for (int round = 1; round <= kMostConeRepairs; ++round) {
-    const InfeasibilityCertificate proof = result->certificate.infeasibility;
+    const InfeasibilityCertificate& proof = result->flat.infeasibility;
     if (status.code() != StatusCode::kInfeasible || proof.empty()) break;
-    ConeRepair repair = RepairCones(job.t, result->targets, proof, round);
+    ConeRepair repair = RepairCones(job.surface, result->targets, proof, round);
     if (repair.moved + repair.widened == 0) continue;
-    values["cone_repairs"] = round;
-    values["cones_moved"] += repair.moved;
-    values["cones_widened"] = repair.widened;
+    ConeRepairSummary& summary = Fill(&result->certificate.cone_repair);
+    summary.cone_repairs = round;
+    summary.cones_moved += repair.moved;
+    summary.cones_widened = repair.widened;
     result->targets = std::move(repair.targets);
     status = FlattenAsAsked(job, result);
   }
@@ -207,31 +215,36 @@ Status FlattenAndRepair(const Job& job, Parameterization* result) {
 Status RunWithCones(const Job& job, Parameterization* result) {
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
   const Timer timer;
-  StatusOr<ConeTargets> targets = PlaceCones(job.t, job.lengths, job.file, job.options);
-  result->certificate.seconds["cones"] = timer.Seconds();
+  StatusOr<ConeTargets> targets = PlaceCones(job.surface, job.file, job.options);
+  result->certificate.seconds.cones = timer.Seconds();
   if (!targets.ok()) return targets.status();
   result->targets = *std::move(targets);
   Status status = FlattenAndRepair(job, result);
   return status.ok() ? Run(job, result) : status;
 }
 
-Status RunRequest(const Triangulation& t, const EdgeLengths& lengths, const FileVertices& file,
+Status RunRequest(const IntrinsicSurface& surface, const FileVertices& file,
                   const ParameterizeRequest& request, const SolveControl& control,
                   Parameterization* result) {
   *result = Parameterization();
-  const Job job{t, lengths, file, request.cut ? &*request.cut : nullptr, request.options, control};
-  if (!request.targets) return RunWithCones(job, result);
-  result->targets = *request.targets;
-  return RunWithTargets(job, result);
+  const Job job{surface, file, request.cut ? &*request.cut : nullptr, request.options, control};
+  Status status;
+  if (request.targets) {
+    result->targets = *request.targets;
+    status = RunWithTargets(job, result);
+  } else {
+    status = RunWithCones(job, result);
+  }
+  result->certificate.infeasibility = std::move(result->flat.infeasibility);
+  return status;
 }
 
 /// The angle sums of a metric, cones being what differs from flat by more than rounding.
-ConeTargets MeasuredTargets(const Triangulation& t, const CornerAngles& angles) {
-  ConeTargets targets = FreeBoundaryTargets(t);
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<double> sum = VertexAngleSums(t, angles);
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    const bool cone = !boundary[v] && std::abs(sum[v] - 2 * kPi) > kFlatness;
+ConeTargets MeasuredTargets(const IntrinsicSurface& surface) {
+  ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
+  const std::vector<double> sum = VertexAngleSums(surface.triangulation, surface.angles);
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    const bool cone = !surface.boundary[v] && std::abs(sum[v] - 2 * kPi) > kFlatness;
     if (cone) targets.lower[v] = targets.upper[v] = sum[v];
   }
   return targets;
@@ -254,7 +267,7 @@ Status Parameterize(const Triangulation& t, const EdgeLengths& lengths,
                     Parameterization* result) {
   const Timer timer;
   const FileVertices file = VerticesInOrder(t.num_vertices);
-  return Conclude(RunRequest(t, lengths, file, request, control, result), timer,
+  return Conclude(RunRequest(MeasureSurface(t, lengths), file, request, control, result), timer,
                   &result->certificate);
 }
 
@@ -263,7 +276,8 @@ Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const FileVertices file = VerticesInFile(surface);
-  Status status = RunRequest(surface.triangulation, lengths, file, request, control, result);
+  const IntrinsicSurface intrinsic = MeasureSurface(surface.triangulation, lengths);
+  Status status = RunRequest(intrinsic, file, request, control, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return Conclude(status, timer, &result->certificate);
 }
@@ -272,16 +286,16 @@ Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, cons
                         Parameterization* result) {
   *result = Parameterization();
   const Timer timer;
+  const IntrinsicSurface surface = MeasureSurface(t, lengths);
   FlatSurface& flat = result->flat;
   flat.intrinsic = {t, lengths, {}, {}};
   flat.intrinsic_lengths = lengths;
-  flat.on_input = {MeasureCornerAngles(t, lengths), lengths, {}};
-  result->targets = MeasuredTargets(t, flat.on_input.angles);
-  result->certificate.values["log_radius_range"] = 0;
+  flat.on_input = {surface.angles, lengths, {}};
+  result->targets = MeasuredTargets(surface);
   const FileVertices file = VerticesInOrder(t.num_vertices);
   const ParameterizeOptions plain;
   const SolveControl control;
-  return Conclude(LayOutAndMeasure({t, lengths, file, cut, plain, control}, result), timer,
+  return Conclude(LayOutAndMeasure({surface, file, cut, plain, control}, result), timer,
                   &result->certificate);
 }
 

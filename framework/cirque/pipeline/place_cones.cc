@@ -58,8 +58,10 @@ StatusOr<ConeTargets> DefaultTargets(const Triangulation& t, const EdgeLengths& 
   return moved.ok() ? moved : simple;
 }
 
-StatusOr<ConeTargets> PlaceCones(const Triangulation& t, const EdgeLengths& lengths,
-                                 const FileVertices& file, const ParameterizeOptions& options) {
+StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
+                                 const ParameterizeOptions& options) {
+  const Triangulation& t = surface.triangulation;
+  const EdgeLengths& lengths = surface.lengths;
   const ParameterizeOptions plain;
   if (options.cones == plain.cones && options.cone_budget == plain.cone_budget &&
       options.cone_angles == plain.cone_angles) {

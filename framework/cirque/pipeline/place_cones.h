@@ -2,6 +2,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/cone_file.h"
 #include "cirque/pipeline/options.h"
 
@@ -16,7 +17,7 @@ StatusOr<ConeTargets> DefaultTargets(const Triangulation& triangulation,
 /// connectivity, with the angles the options ask for; DefaultTargets when they name no heuristic.
 /// `file`: how a cone file numbers the vertices; empty: in order. Errors (invalid input): an
 /// unknown name or option, cones that Gauss-Bonnet or the corners forbid.
-StatusOr<ConeTargets> PlaceCones(const Triangulation& triangulation, const EdgeLengths& lengths,
-                                 const FileVertices& file, const ParameterizeOptions& options);
+StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
+                                 const ParameterizeOptions& options);
 
 }  // namespace cirque

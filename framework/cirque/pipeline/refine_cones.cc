@@ -41,14 +41,16 @@ Eigen::MatrixXd ChangesOf(const std::vector<bool>& free, bool sum_fixed) {
 
 class Refinement {
  public:
-  Refinement(const Triangulation& input, const EdgeLengths& lengths, const ConeTargets& targets,
-             const ParameterizeOptions& options, const SolveControl& control,
-             const FlatSurface& start, const AngleObjective& objective)
-      : options_(options),
-        control_(control),
+  Refinement(const FlattenJob& job, const ConeTargets& targets, const FlatSurface& start,
+             const AngleObjective& objective)
+      : options_(job.options),
+        control_(job.control),
         objective_(objective),
-        problem_(start.intrinsic.triangulation, start.intrinsic.lengths, {&input, &lengths, {}}),
-        targets_(TransferTargets(input, targets, start.intrinsic.triangulation)),
+        problem_(start.intrinsic.triangulation, start.intrinsic.lengths,
+                 {&job.surface.triangulation, &job.surface.lengths, {}}),
+        surface_(MeasureSurface(problem_.triangulation(), problem_.lengths())),
+        targets_(
+            TransferTargets(job.surface.triangulation, targets, start.intrinsic.triangulation)),
         current_(start) {
     options_.triangulation = SolvedTriangulation::kInput;  // which the intrinsic one is, now
     FindCones(start);
@@ -168,9 +170,7 @@ class Refinement {
   bool Solve(FlatSurface* flat) {
     ++solves_;
     Certificate unused;
-    return Flatten(problem_.triangulation(), problem_.lengths(), Apply(targets_), options_,
-                   control_, &unused, flat)
-        .ok();
+    return Flatten({surface_, Apply(targets_), options_, control_}, &unused, flat).ok();
   }
 
   static void UpdateHessian(const Eigen::VectorXd& step, const Eigen::VectorXd& change,
@@ -186,7 +186,8 @@ class Refinement {
   const SolveControl& control_;
   const AngleObjective& objective_;
   const ConeProblem problem_;
-  ConeTargets targets_;  ///< of the problem's triangulation
+  const IntrinsicSurface surface_;  ///< the problem's
+  ConeTargets targets_;             ///< of the problem's triangulation
   FlatSurface current_;
   std::vector<Index> vertices_;
   Eigen::VectorXd angles_;
@@ -196,20 +197,20 @@ class Refinement {
 
 }  // namespace
 
-Status RefineCones(const Triangulation& input, const EdgeLengths& lengths,
-                   const ParameterizeOptions& options, const SolveControl& control,
-                   Certificate* certificate, ConeTargets* targets, FlatSurface* flat) {
-  const auto objective = AngleObjectives().Find(options.angle_objective);
+Status RefineCones(const FlattenJob& job, Certificate* certificate, ConeTargets* targets,
+                   FlatSurface* flat) {
+  const auto objective = AngleObjectives().Find(job.options.angle_objective);
   if (!objective.ok()) return objective.status();
   const double before = AreaDistortion(*flat);
-  Refinement refinement(input, lengths, *targets, options, control, *flat, **objective);
+  Refinement refinement(job, *targets, *flat, **objective);
   const int steps = refinement.Run();
   double after = before;
   if (steps > 0) {
     ConeTargets refined = refinement.Apply(*targets);
     Certificate evidence = *certificate;
     FlatSurface solved;
-    const Status status = Flatten(input, lengths, refined, options, control, &evidence, &solved);
+    const FlattenJob again = {job.surface, refined, job.options, job.control};
+    const Status status = Flatten(again, &evidence, &solved);
     if (status.code() == StatusCode::kCancelled) return status;
     if (status.ok() && AreaDistortion(solved) < before) {
       after = AreaDistortion(solved);
@@ -218,10 +219,8 @@ Status RefineCones(const Triangulation& input, const EdgeLengths& lengths,
       *certificate = std::move(evidence);
     }
   }
-  certificate->values["refinement_steps"] = steps;
-  certificate->values["refinement_solves"] = refinement.solves();
-  certificate->values["refinement_area_distortion_before"] = std::sqrt(2 * before);
-  certificate->values["refinement_area_distortion_after"] = std::sqrt(2 * after);
+  certificate->cone_refinement = {steps, refinement.solves(), std::sqrt(2 * before),
+                                  std::sqrt(2 * after)};
   return Status();
 }
 

@@ -17,11 +17,9 @@ namespace cirque {
 /// admissible. Ranged cones start at the angles the fit chose. At last everything is solved again
 /// as Flatten does; where that is no better, flat and targets stay as they were.
 ///
-/// Fills in the certificate's values refinement_steps, refinement_solves,
-/// refinement_area_distortion_before and ..._after (log_area_ratio_l2 on that triangulation). Fails
-/// only when cancelled, or for options that Flatten refuses.
-Status RefineCones(const Triangulation& input, const EdgeLengths& lengths,
-                   const ParameterizeOptions& options, const SolveControl& control,
-                   Certificate* certificate, ConeTargets* targets, FlatSurface* flat);
+/// `targets` and `flat` are those that the job ended in; summaries of the last solve and of the
+/// refinement go to the certificate. Fails only when cancelled, or for options that Flatten refuses.
+Status RefineCones(const FlattenJob& job, Certificate* certificate, ConeTargets* targets,
+                   FlatSurface* flat);
 
 }  // namespace cirque

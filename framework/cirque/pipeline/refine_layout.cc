@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "cirque/core/name_with_options.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/refine_map.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
@@ -34,26 +33,22 @@ Status CheckRefineMap(const std::string& refine_map) {
   return refine_map == kNoRefinement ? Status() : Parse(refine_map).status();
 }
 
-Status RefineLayout(const Triangulation& t, const EdgeLengths& lengths, const InputChart& flat,
-                    const Cut& cut, const std::vector<Index>& cones, const std::string& refine_map,
-                    const std::atomic<bool>* cancelled, PlanarLayout* layout,
-                    Certificate* certificate) {
+Status RefineLayout(const LaidOutSurface& of, const std::string& refine_map, PlanarLayout* layout,
+                    std::optional<MapRefinementSummary>* summary) {
   if (refine_map == kNoRefinement) return Status();
   const StatusOr<Refinement> refinement = Parse(refine_map);
   if (!refinement.ok()) return refinement.status();
-  const SeamReport report = MeasureSeams(t, cut, cones, flat.angles, layout->uv);
+  const Triangulation& t = of.surface.triangulation;
+  const SeamReport report = MeasureSeams(t, of.cut, of.cones, of.flat.angles, layout->uv);
   CornerUv refined = layout->uv;
   const StatusOr<MapRefinement> done =
-      RefineMap(t, MeasureCornerAngles(t, lengths), lengths, cut, report.seams,
-                refinement->objective, refinement->options, cancelled, &refined);
+      RefineMap(t, of.surface.angles, of.surface.lengths, of.cut, report.seams,
+                refinement->objective, refinement->options, of.cancelled, &refined);
   if (!done.ok()) return done.status();
   // Scaling to the area that it had rounds once more.
   const bool kept = done->steps > 0 && FlippedFaces(t, refined).empty();
   if (kept) layout->uv = std::move(refined);
-  auto& values = certificate->values;
-  values["map_refinement_steps"] = kept ? done->steps : 0;
-  values["map_refinement_before"] = done->before;
-  values["map_refinement_after"] = kept ? done->after : done->before;
+  *summary = {kept ? done->steps : 0, done->before, kept ? done->after : done->before};
   return Status();
 }
 

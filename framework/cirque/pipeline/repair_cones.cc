@@ -10,11 +10,13 @@ constexpr double kSpareCorner = 0.5, kLeastAngle = kPi / 4;
 
 class Repair {
  public:
-  Repair(const Triangulation& t, const ConeTargets& targets, const InfeasibilityCertificate& proof)
-      : t_(t),
-        corners_(CornersPerVertex(t)),
-        boundary_(BoundaryVertices(t)),
-        pointed_at_(t.num_vertices, false) {
+  Repair(const IntrinsicSurface& surface, const ConeTargets& targets,
+         const InfeasibilityCertificate& proof)
+      : t_(surface.triangulation),
+        corners_(surface.corners),
+        boundary_(surface.boundary),
+        pointed_at_(surface.triangulation.num_vertices, false) {
+    const Triangulation& t = t_;
     repair_.targets = targets;
     std::vector<bool> carries(t.num_vertices, false);
     for (const Index v : proof.carrying_vertices) carries[v] = true;
@@ -64,17 +66,17 @@ class Repair {
   }
 
   const Triangulation& t_;
-  const std::vector<Index> corners_;
-  const std::vector<bool> boundary_;
+  const std::vector<Index>& corners_;
+  const std::vector<bool>& boundary_;
   std::vector<bool> pointed_at_;
   ConeRepair repair_;
 };
 
 }  // namespace
 
-ConeRepair RepairCones(const Triangulation& t, const ConeTargets& targets,
+ConeRepair RepairCones(const IntrinsicSurface& surface, const ConeTargets& targets,
                        const InfeasibilityCertificate& proof, int round) {
-  return Repair(t, targets, proof).Run(round);
+  return Repair(surface, targets, proof).Run(round);
 }
 
 }  // namespace cirque

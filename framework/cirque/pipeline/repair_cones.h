@@ -2,7 +2,7 @@
 
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/metric.h"
-#include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 
@@ -17,7 +17,7 @@ struct ConeRepair {
 /// neighbour with most corners, if that has more and is no cone yet; in round k > 1 its angle may
 /// range over +- (k - 1) pi/4, and that of every other cone over a quarter of that, which Gauss-
 /// Bonnet needs. Angles stay within what the corners can reach.
-ConeRepair RepairCones(const Triangulation& triangulation, const ConeTargets& targets,
+ConeRepair RepairCones(const IntrinsicSurface& surface, const ConeTargets& targets,
                        const InfeasibilityCertificate& proof, int round);
 
 inline constexpr int kMostConeRepairs = 5;
