@@ -3,7 +3,7 @@
 #include "cirque/energy/angle_objective.h"
 #include "cirque/generators/generators.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/solver/solver_strategy.h"
 

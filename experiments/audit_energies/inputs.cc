@@ -4,7 +4,7 @@
 #include <glog/logging.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/preflight.h"
 
 #include "experiments/audit_energies/samples.h"
@@ -37,14 +37,10 @@ EnergyInput DiskInput(unsigned seed) {
   CHECK(surface.ok()) << surface.status().message();
   EnergyInput input;
   input.triangulation = surface->triangulation;
-  input.reference = MeasureCornerAngles(input.triangulation, MeasureEdgeLengths(*surface));
+  const EdgeLengths lengths = MeasureEdgeLengths(*surface);
+  input.reference = MeasureSurface(input.triangulation, lengths).angles;
   input.coherent.value = RoundAngles(input.triangulation, seed);
-  const std::vector<bool> boundary = BoundaryVertices(input.triangulation);
-  const std::vector<Index> corners = CornersPerVertex(input.triangulation);
-  for (Index v = 0; v < input.triangulation.num_vertices; ++v) {
-    input.targets.lower.push_back(boundary[v] ? 0 : 2 * kPi);
-    input.targets.upper.push_back(boundary[v] ? kPi * corners[v] : 2 * kPi);
-  }
+  input.targets = FreeBoundaryTargets(input.triangulation);
   return input;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "cirque/energy/angle_constraints.h"
+
 namespace cirque::audit_energies {
 namespace {
 
@@ -86,12 +88,7 @@ AuditSamples BarrierSamples() {
 }
 
 SampleCase DualCase(const std::string& name, EnergyInput input) {
-  // One row a face and one a vertex that is not free.
-  int n = input.triangulation.num_faces();
-  const std::vector<Index> corners = CornersPerVertex(input.triangulation);
-  for (std::size_t v = 0; v < corners.size(); ++v) {
-    n += input.targets.lower[v] > 0 || input.targets.upper[v] < kPi * corners[v];
-  }
+  const int n = AngleConstraints(input.triangulation, input.targets).num_rows();
   SampleCase c = CaseOf(name, std::move(input));
   Random random(7);
   c.inside = {{"small multipliers", random.Vector(n, 0.05), 1e-3},
@@ -108,7 +105,8 @@ SampleMaker DualSamplesOf(const std::string& objective) {
     not_delaunay.reference.value = PairedAngles(measured.triangulation, 2.5);
     needles.reference.value = PairedAngles(measured.triangulation, 1e-4);
     // Cones: ranged inside; every vertex constrained, so that there is a gauge.
-    const std::vector<Index> corners = CornersPerVertex(cones.triangulation);
+    const std::vector<Index> corners =
+        AngleConstraints(cones.triangulation, cones.targets).corners();
     for (std::size_t v = 0; v < corners.size(); ++v) {
       cones.targets.lower[v] = 0.3 * corners[v];
       cones.targets.upper[v] = v % 2 == 0 ? cones.targets.lower[v] : 2.5 * corners[v];

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 
 #include "experiments/circle_patterns/file_numbering.h"
 #include "experiments/circle_patterns/prescriptions.h"

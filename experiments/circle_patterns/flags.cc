@@ -7,7 +7,7 @@
 
 #include "cirque/angles/registry.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/domains.h"

@@ -4,8 +4,12 @@
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/core/text.h"
+#include "cirque/domains/domain.h"
+#include "cirque/energy/angle_objective.h"
+#include "cirque/layout/map_objective.h"
 #include "cirque/linear/multigrid.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/pipeline/certificate.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/flags.h"

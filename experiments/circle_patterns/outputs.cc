@@ -6,7 +6,7 @@
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"

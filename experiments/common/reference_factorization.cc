@@ -12,7 +12,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/energy/dual_laplacian.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 namespace {
@@ -27,7 +27,8 @@ double ThreadSeconds() {
 
 SparseMatrix CotangentLaplacian(const Surface& surface) {
   const Triangulation& t = surface.triangulation;
-  const CornerAngles angles = MeasureCornerAngles(t, MeasureEdgeLengths(surface));
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const CornerAngles angles = MeasureSurface(t, lengths).angles;
   LaplacianAssembler laplacian(t.num_vertices, static_cast<std::size_t>(t.num_halfedges()));
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     laplacian.Add(t.Tail(h), t.Tip(h), 0.5 / std::tan(angles.value[h]));

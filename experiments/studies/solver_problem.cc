@@ -5,7 +5,7 @@
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
 
@@ -42,7 +42,8 @@ StatusOr<std::shared_ptr<const StudyProblem>> MakeProblem(const std::string& nam
   EnergyInput& input = problem->input;
   input.triangulation = surface.triangulation;
   input.targets = FreeBoundaryTargets(surface.triangulation);
-  input.reference = MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  input.reference = MeasureSurface(surface.triangulation, lengths).angles;
   input.points = Directions(surface);
   input.weights.assign(input.points.size(), 1.0 / static_cast<double>(input.points.size()));
   if (Status s = FitCoherentAngles(&input); !s.ok()) return s.In(name);

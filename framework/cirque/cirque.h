@@ -22,7 +22,6 @@
 #include "cirque/audit/audit_energy.h"
 #include "cirque/core/version.h"
 #include "cirque/domains/domain.h"
-#include "cirque/domains/registry.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/registry.h"
 #include "cirque/generators/generators.h"

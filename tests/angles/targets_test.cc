@@ -8,6 +8,13 @@
 namespace cirque {
 namespace {
 
+/// The check takes of a surface its connectivity alone.
+Status Check(const Triangulation& t, const ConeTargets& targets,
+             InfeasibilityCertificate* proof = nullptr) {
+  const EdgeLengths equal = {Eigen::VectorXd::Ones(t.num_edges())};
+  return CheckTargets(MeasureSurface(t, equal), targets, proof);
+}
+
 using ::testing::HasSubstr;
 
 ConeTargets FanTargets(Index v, double lower, double upper) {
@@ -22,21 +29,21 @@ Triangulation Pillow() { return NumberEdges(3, {0, 1, 2, 0, 2, 1}, {kNone, 5, 4,
 
 void ExpectRefused(const Triangulation& t, const ConeTargets& targets, const std::string& words) {
   InfeasibilityCertificate certificate;
-  const Status status = CheckTargets(t, targets, &certificate);
+  const Status status = Check(t, targets, &certificate);
   EXPECT_EQ(status.code(), StatusCode::kInfeasible);
   EXPECT_THAT(status.message(), HasSubstr(words));
   EXPECT_TRUE(HoldsExactly(t, certificate)) << status.message();
 }
 
 TEST(CheckTargets, AcceptsFlatDisksAndSpheresWithEnoughCurvature) {
-  EXPECT_TRUE(CheckTargets(Fan(6, 0.5).triangulation, FanTargets(1, 0.3, 2)).ok());
+  EXPECT_TRUE(Check(Fan(6, 0.5).triangulation, FanTargets(1, 0.3, 2)).ok());
   const Triangulation torus = GeneratedSurface("torus", 300).triangulation;
-  EXPECT_TRUE(CheckTargets(torus, FreeBoundaryTargets(torus)).ok());
+  EXPECT_TRUE(Check(torus, FreeBoundaryTargets(torus)).ok());
   const Triangulation sphere = GeneratedSurface("sphere", 300).triangulation;
   ConeTargets cones = FreeBoundaryTargets(sphere);
   // 12 cones of curvature pi / 3, whose sums are not exact in floating point.
   for (Index v = 0; v < 12; ++v) cones.lower[v] = cones.upper[v] = 5 * kPi / 3;
-  EXPECT_TRUE(CheckTargets(sphere, cones).ok()) << CheckTargets(sphere, cones).message();
+  EXPECT_TRUE(Check(sphere, cones).ok()) << Check(sphere, cones).message();
 }
 
 TEST(CheckTargets, RefusesNumbersThatMeanNothing) {
@@ -48,7 +55,7 @@ TEST(CheckTargets, RefusesNumbersThatMeanNothing) {
       {ConeTargets{{1}, {1}}, "1 lower and 1 upper angle sums for 7 vertices"},
   };
   for (const auto& [targets, words] : cases) {
-    const Status status = CheckTargets(t, targets);
+    const Status status = Check(t, targets);
     EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
     EXPECT_THAT(status.message(), HasSubstr(words));
   }
@@ -63,7 +70,7 @@ TEST(CheckTargets, RefusesAFullAngleAtTwoCorners) {
 TEST(CheckTargets, RefusesAConeOfValenceTimesPiAndAnAngleSumOfZero) {
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(0, 6 * kPi, 6 * kPi),
                 "inner vertex 0 has 6 corners, each less than pi, and must reach 6 pi");
-  EXPECT_TRUE(CheckTargets(Fan(6, 0.5).triangulation, FanTargets(0, 5.99 * kPi, 6 * kPi)).ok());
+  EXPECT_TRUE(Check(Fan(6, 0.5).triangulation, FanTargets(0, 5.99 * kPi, 6 * kPi)).ok());
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(4, 0, 0), "vertices 4 (0-based) must be 0");
 }
 
@@ -76,7 +83,7 @@ TEST(CheckTargets, RefusesWhatGaussAndBonnetExclude) {
   ExpectRefused(sphere, cones, "add 1 pi in all; the vertices that are not flat are 0, 1, 2, 3, 4");
   // With intervals: the upper ends alone must reach far enough.
   cones.upper[2] = 2 * kPi;
-  EXPECT_TRUE(CheckTargets(sphere, cones).ok());
+  EXPECT_TRUE(Check(sphere, cones).ok());
   cones.upper[2] = 1.5 * kPi;
   ExpectRefused(sphere, cones, "at most");
 }

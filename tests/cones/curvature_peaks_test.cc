@@ -41,18 +41,20 @@ TEST(SimpleCones, ObeyGaussBonnetExactlyOnEveryGenus) {
     SCOPED_TRACE(name);
     const Surface surface = GeneratedSurface(name, 2000);
     const EdgeLengths lengths = MeasureEdgeLengths(surface);
-    const StatusOr<ConeTargets> targets = SimpleConeTargets(surface.triangulation, lengths);
+    const StatusOr<ConeTargets> targets =
+        SimpleConeTargets(MeasureSurface(surface.triangulation, lengths));
     ASSERT_TRUE(targets.ok()) << targets.status().message();
     EXPECT_EQ(ConesOf(*targets).size(), cones);
     ExpectValid(surface.triangulation, *targets);
-    EXPECT_EQ(SimpleConeTargets(surface.triangulation, lengths)->lower, targets->lower);
+    EXPECT_EQ(SimpleConeTargets(MeasureSurface(surface.triangulation, lengths))->lower,
+              targets->lower);
   }
 }
 
 TEST(SimpleCones, LieApartAndWhereTheSurfaceIsCurvedTheirWay) {
   const Surface torus = GeneratedSurface("double_torus", 4000);
   const Triangulation& t = torus.triangulation;
-  const ConeTargets targets = *SimpleConeTargets(t, MeasureEdgeLengths(torus));
+  const ConeTargets targets = *SimpleConeTargets(MeasureSurface(t, MeasureEdgeLengths(torus)));
   const CornerAngles angles = AnglesOf(torus);
   std::vector<double> sum(t.num_vertices, 0);
   for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += angles.value[h];
@@ -68,7 +70,7 @@ TEST(SimpleCones, LieApartAndWhereTheSurfaceIsCurvedTheirWay) {
 TEST(SimpleCones, SmallSurfacesGetFewerAndStrongerOnes) {
   const Surface tetrahedron = SurfaceOf(testing::Tetrahedron());
   const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(tetrahedron.triangulation, MeasureEdgeLengths(tetrahedron));
+      SimpleConeTargets(MeasureSurface(tetrahedron.triangulation, MeasureEdgeLengths(tetrahedron)));
   ASSERT_TRUE(targets.ok());
   EXPECT_EQ(targets->lower, std::vector<double>(4, kPi));
   ExpectValid(tetrahedron.triangulation, *targets);
@@ -78,7 +80,7 @@ TEST(SimpleCones, SurfacesWithABoundaryNeedNone) {
   const Surface ring = GeneratedSurface("annulus", 500);
   const ConeTargets plain = FreeBoundaryTargets(ring.triangulation);
   const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(ring.triangulation, MeasureEdgeLengths(ring));
+      SimpleConeTargets(MeasureSurface(ring.triangulation, MeasureEdgeLengths(ring)));
   EXPECT_EQ(targets->lower, plain.lower);
   EXPECT_EQ(targets->upper, plain.upper);
 }
@@ -105,7 +107,7 @@ TEST(SimpleCones, ASingleVertexOfGenusTwoIsOneLargeCone) {
   const Triangulation t = NumberEdges(1, std::vector<Index>(18, 0), twin);
   ASSERT_EQ(EulerCharacteristic(t), -2);
   const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(t, {Eigen::VectorXd::Ones(t.num_edges())});
+      SimpleConeTargets(MeasureSurface(t, {Eigen::VectorXd::Ones(t.num_edges())}));
   ASSERT_TRUE(targets.ok()) << targets.status().message();
   EXPECT_EQ(targets->lower[0], 6 * kPi);
   ExpectValid(t, *targets);
@@ -130,7 +132,7 @@ TEST(SimpleCones, SaysWhenThereAreTooFewVertices) {
   const Triangulation t = NumberEdges(1, std::vector<Index>(30, 0), twin);
   ASSERT_EQ(EulerCharacteristic(t), -4);
   const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(t, {Eigen::VectorXd::Ones(t.num_edges())});
+      SimpleConeTargets(MeasureSurface(t, {Eigen::VectorXd::Ones(t.num_edges())}));
   ASSERT_FALSE(targets.ok());
   EXPECT_THAT(targets.status().message(), ::testing::HasSubstr("the curvature -8 pi"));
 }
@@ -155,7 +157,8 @@ TEST(SimpleCones, ExistOnTheClosedSharedMeshesSlow) {
     const auto mesh = ReadSharedSurface(name);
     if (!mesh) GTEST_SKIP() << name << " is not there";
     const Triangulation& t = mesh->surface.triangulation;
-    const StatusOr<ConeTargets> targets = SimpleConeTargets(t, MeasureEdgeLengths(mesh->surface));
+    const StatusOr<ConeTargets> targets =
+        SimpleConeTargets(MeasureSurface(t, MeasureEdgeLengths(mesh->surface)));
     ASSERT_TRUE(targets.ok()) << targets.status().message();
     if (mesh->report.boundary_loops == 0) {
       ExpectValid(t, *targets);

@@ -144,9 +144,9 @@ TEST(CheckCut, AConeOffTheCutIsRefusedByName) {
   const auto inside =
       static_cast<Index>(std::find(boundary.begin(), boundary.end(), false) - boundary.begin());
   ConeTargets targets = FreeBoundaryTargets(t);
-  EXPECT_TRUE(ConeVertices(t, targets).empty());
+  EXPECT_TRUE(ConeVertices(BoundaryVertices(t), targets).empty());
   targets.lower[inside] = targets.upper[inside] = kPi;
-  EXPECT_THAT(ConeVertices(t, targets), testing::ElementsAre(inside));
+  EXPECT_THAT(ConeVertices(BoundaryVertices(t), targets), testing::ElementsAre(inside));
   EXPECT_THAT(CheckCut(t, NoCut(t), {inside}).message(),
               HasSubstr("cones at vertices " + std::to_string(inside) + " (0-based) lie inside"));
   EXPECT_TRUE(CheckCut(t, *CutGraph(t, Lengths(disk), {inside}), {inside}).ok());

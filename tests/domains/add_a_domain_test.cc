@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/domain_maps.h"

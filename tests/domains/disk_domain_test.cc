@@ -7,7 +7,7 @@
 #include "cirque/generators/known_maps.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/pipeline/certificate.h"
 
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"

@@ -165,7 +165,10 @@ TEST_F(InfeasibleEndToEnd, AFullAngleAtAVertexOfTwoCorners) {
   const AngleConstraints constraints(fan.triangulation, targets);
   const CornerAngles reference = AnglesOf(fan);
   std::vector<InfeasibilityCertificate> proofs(1);
-  EXPECT_EQ(CheckTargets(fan.triangulation, targets, &proofs[0]).code(), StatusCode::kInfeasible);
+  EXPECT_EQ(
+      CheckTargets(MeasureSurface(fan.triangulation, MeasureEdgeLengths(fan)), targets, &proofs[0])
+          .code(),
+      StatusCode::kInfeasible);
   for (const std::string& method : AngleSolvers().Names()) {
     AngleFitResult result;
     const Status status =

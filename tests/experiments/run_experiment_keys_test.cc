@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/domains/domain.h"
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
 #include "cirque/metrics/measure_map.h"
+#include "cirque/pipeline/certificate.h"
 
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/quantities.h"

@@ -208,10 +208,12 @@ TEST(IntrinsicDelaunay, FreeVerticesStayFreeWhenTheirCornersChange) {
   const Index corner = input.vertex[Triangulation::Next(BoundaryLoops(input)[0][0])];
   targets.lower[corner] = 1;
   targets.upper[corner] = 2;
-  const Triangulation output = Delaunay(mesh).triangulation;
+  const auto delaunay = Delaunay(mesh);
+  const Triangulation& output = delaunay.triangulation;
   const ConeTargets plain = FreeBoundaryTargets(output);
   ASSERT_NE(plain.upper, FreeBoundaryTargets(input).upper);
-  const ConeTargets transferred = TransferTargets(input, targets, output);
+  const ConeTargets transferred = TransferTargets(MeasureSurface(input, mesh.lengths), targets,
+                                                  MeasureSurface(output, delaunay.lengths));
   for (Index v = 0; v < output.num_vertices; ++v) {
     EXPECT_EQ(transferred.lower[v], v == corner ? 1 : plain.lower[v]);
     EXPECT_EQ(transferred.upper[v], v == corner ? 2 : plain.upper[v]);

@@ -43,9 +43,9 @@ Cut NoCut(const Triangulation& t) { return {std::vector<bool>(t.num_edges(), fal
 StatusOr<MapRefinement> Refine(const Surface& surface, const std::string& objective, int steps,
                                CornerUv* uv, const std::atomic<bool>* cancelled = nullptr) {
   const Triangulation& t = surface.triangulation;
-  return RefineMap(t, AnglesOf(surface), MeasureEdgeLengths(surface), NoCut(t), {},
-                   *MapObjectives().Find(objective), {.steps = steps, .decrease = 0}, cancelled,
-                   uv);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  return RefineMap({MeasureSurface(t, lengths), NoCut(t), {}}, *MapObjectives().Find(objective),
+                   {.steps = steps, .decrease = 0}, cancelled, uv);
 }
 
 double AreaOf(const CornerUv& uv) {

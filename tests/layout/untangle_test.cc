@@ -44,7 +44,7 @@ class UntangleFlippedTrianglesTest : public ::testing::Test {
   const Triangulation& t() const { return strip_.triangulation; }
 
   int Untangle(InputChart* flat) const {
-    return UntangleFlippedTriangles(t(), AnglesOf(strip_), MeasureEdgeLengths(strip_), movable_,
+    return UntangleFlippedTriangles(MeasureSurface(t(), MeasureEdgeLengths(strip_)), movable_,
                                     flat);
   }
 

@@ -39,10 +39,12 @@ TEST(SubTriangulation, KeepsFacesLengthsAndGluing) {
 TEST(SubTriangulation, ChordsCutOffTheSmallerPieces) {
   // Two hexagonal fans would share an edge; a strip of one row is all chords.
   const Surface strip = FlatStrip(4, 1);
-  const std::vector<bool> piece = LargestChordlessPiece(strip.triangulation);
+  const std::vector<bool> piece =
+      LargestChordlessPiece(strip.triangulation, BoundaryVertices(strip.triangulation));
   EXPECT_EQ(std::count(piece.begin(), piece.end(), true), 1);
   const Surface block = FlatStrip(4, 4);
-  const std::vector<bool> all = LargestChordlessPiece(block.triangulation);
+  const std::vector<bool> all =
+      LargestChordlessPiece(block.triangulation, BoundaryVertices(block.triangulation));
   EXPECT_EQ(std::count(all.begin(), all.end(), true), block.triangulation.num_faces());
 }
 

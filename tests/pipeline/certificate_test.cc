@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/pipeline/certificate_fields.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/paths.h"

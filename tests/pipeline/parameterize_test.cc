@@ -163,6 +163,53 @@ TEST(Parameterize, DelaunayFlipsBringAScrambledPatchBackToItsPlane) {
             on_input.certificate.distortion->quasi_conformal_mean + 1e-6);
 }
 
+TEST(Parameterize, LengthsAloneWillDo) {
+  const Surface surface = GeneratedSurface("spherical_cap", 300);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  Parameterization of_surface, of_metric;
+  ASSERT_TRUE(Parameterize(surface, {}, {}, &of_surface).ok());
+  ASSERT_TRUE(Parameterize(surface.triangulation, lengths, {}, {}, &of_metric).ok());
+  EXPECT_EQ(of_metric.uv.value, of_surface.uv.value);
+}
+
+TEST(Parameterize, AFlatMetricIsLaidOutAsItIs) {
+  const Surface strip = FlatStrip(5, 3);
+  const EdgeLengths lengths = MeasureEdgeLengths(strip);
+  Parameterization map;
+  ASSERT_TRUE(LayOutFlatMetric(strip.triangulation, lengths, nullptr, &map).ok());
+  std::vector<Eigen::Vector2d> wanted;
+  for (const Index v : strip.triangulation.vertex) wanted.push_back(strip.position[v].head<2>());
+  EXPECT_LT(FitSimilarity(map.uv.value, wanted).max_error, 1e-12);
+  EXPECT_NEAR(map.certificate.distortion->quasi_conformal_max, 1, 1e-12);
+  EXPECT_FALSE(map.certificate.angle_fit.has_value());  // nothing was solved
+  EXPECT_EQ(map.certificate.layout->cones, 0);
+}
+
+TEST(Parameterize, ConesOfAFlatMetricAreFoundAndCutThrough) {
+  // The surface of a regular octahedron is flat but for six cones of four triangles each.
+  const Surface octahedron = RegularPolyhedron(8);
+  const EdgeLengths lengths = MeasureEdgeLengths(octahedron);
+  Parameterization map;
+  ASSERT_TRUE(LayOutFlatMetric(octahedron.triangulation, lengths, nullptr, &map).ok());
+  EXPECT_EQ(map.certificate.layout->cones, 6);
+  EXPECT_EQ(EulerCharacteristic(CutOpen(octahedron.triangulation, map.cut)), 1);
+  EXPECT_NEAR(map.certificate.distortion->quasi_conformal_max, 1, 1e-12);
+  for (Index h = 0; h < octahedron.triangulation.num_halfedges(); ++h) {
+    const Eigen::Vector2d edge = map.uv.value[Triangulation::Next(h)] - map.uv.value[h];
+    EXPECT_NEAR(edge.norm(), std::sqrt(2), 1e-12);
+  }
+}
+
+TEST(Parameterize, TheCutGivenIsTheCutTaken) {
+  const Surface surface = GeneratedSurface("torus", 300);
+  Parameterization first;
+  ASSERT_TRUE(Parameterize(surface, {}, {}, &first).ok());
+  Parameterization second;
+  ASSERT_TRUE(Parameterize(surface, {{}, {}, first.cut}, {}, &second).ok());
+  EXPECT_EQ(second.cut.edge, first.cut.edge);
+  EXPECT_EQ(second.uv.value, first.uv.value);
+}
+
 TEST(Parameterize, UnknownNamesAreRefused) {
   ParameterizeOptions options;
   options.radii_solver = "newtn";

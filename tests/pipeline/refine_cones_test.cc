@@ -8,9 +8,8 @@
 #include "cirque/cones/cone.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
-#include "cirque/pipeline/area_distortion.h"
 #include "cirque/pipeline/parameterize.h"
-#include "cirque/pipeline/repair_cones.h"
+#include "cirque/pipeline/place_cones.h"
 
 #include "tests/common/surfaces.h"
 

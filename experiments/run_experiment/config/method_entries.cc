@@ -6,7 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 
 #include "experiments/run_experiment/config/matrix.h"
 #include "experiments/run_experiment/config/schema.h"

@@ -6,8 +6,8 @@
 #include <glog/logging.h>
 
 #include "cirque/metrics/measure_map.h"
+#include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
-#include "cirque/pipeline/certificate_fields.h"
 
 namespace cirque {
 namespace {

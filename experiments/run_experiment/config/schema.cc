@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
-#include "cirque/domains/registry.h"
+#include "cirque/domains/domain.h"
 #include "cirque/generators/generators.h"
 #include "cirque/metrics/measure_map.h"
 

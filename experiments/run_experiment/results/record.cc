@@ -4,7 +4,7 @@
 #include <map>
 
 #include "cirque/core/status.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/pipeline/certificate.h"
 
 #include "experiments/run_experiment/config/content_hash.h"
 

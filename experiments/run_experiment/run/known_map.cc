@@ -42,11 +42,10 @@ ConeTargets KnownBoundaryTargets(const MeshSpec& mesh, const Surface& surface) {
   const Triangulation& t = surface.triangulation;
   const auto image = KnownImage(*KnownConformalMaps().Find(mesh.generator), surface);
   ConeTargets targets = FreeBoundaryTargets(t);
-  const std::vector<bool> boundary = BoundaryVertices(t);
   std::vector<double> sum(t.num_vertices, 0);
   for (Index h = 0; h < t.num_halfedges(); ++h) sum[t.vertex[h]] += ImageAngle(image, h);
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (boundary[v]) targets.lower[v] = targets.upper[v] = sum[v];
+    if (targets.lower[v] == 0) targets.lower[v] = targets.upper[v] = sum[v];
   }
   return targets;
 }

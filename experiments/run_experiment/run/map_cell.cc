@@ -35,14 +35,19 @@ void TakeCertificate(Certificate certificate, RunResult* result) {
   result->certificate = std::move(certificate);
 }
 
+/// The map, of one to the sphere every face in a plane of its own.
+CornerUv InPlanes(const Triangulation& t, const SurfaceMap& map) {
+  if (!map.IsOnSphere()) return map.uv;
+  const EdgeLengths chords = ChordLengths(t, map.position);
+  return FacesInPlane(MeasureSurface(t, chords));
+}
+
 Status AddMeasures(std::vector<std::string> measures, const Surface& surface, const SurfaceMap& map,
                    RunResult* result) {
   if (map.IsOnSphere()) std::erase_if(measures, IsOfOnePlane);
   if (measures.empty()) return Status();
-  const Triangulation& t = surface.triangulation;
-  auto figures = MeasureFigures(
-      t, MeasureEdgeLengths(surface),
-      map.IsOnSphere() ? FacesInPlane(t, ChordLengths(t, map.position)) : map.uv, measures);
+  auto figures = MeasureFigures(surface.triangulation, MeasureEdgeLengths(surface),
+                                InPlanes(surface.triangulation, map), measures);
   if (!figures.ok()) return figures.status();
   result->figures.merge(*figures);
   return Status();

@@ -65,7 +65,7 @@ std::string InfeasibleMessage(const InfeasibilityCertificate& certificate) {
 /// The largest margin worth trying first.
 double FirstEpsilon(const AngleFitProblem& problem) {
   const AngleConstraints& constraints = problem.constraints;
-  const std::vector<Index> corners = CornersPerVertex(constraints.triangulation());
+  const std::vector<Index>& corners = constraints.corners();
   double epsilon = problem.epsilon;
   for (std::size_t i = 0; i < constraints.constrained_vertices().size(); ++i) {
     const double sum = constraints.Upper(constraints.num_faces() + static_cast<int>(i));

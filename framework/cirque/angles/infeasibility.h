@@ -7,6 +7,7 @@
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/angle_constraints.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 
@@ -70,7 +71,7 @@ class InfeasibilityWatch {
 ///                  upper < pi F)
 /// With kInfeasible, `certificate` (may be null) gets the certificate, unless rounding is all that
 /// speaks against the exact inequality: then it is empty.
-Status CheckTargets(const Triangulation& triangulation, const ConeTargets& targets,
+Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
                     InfeasibilityCertificate* certificate = nullptr);
 
 }  // namespace cirque

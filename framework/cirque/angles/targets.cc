@@ -51,17 +51,18 @@ std::string CornerMessage(const ConeTargets& targets, const std::vector<Index>& 
 }
 
 /// y_v = 1 at a vertex that is to be too large, -1 at one that is to be 0.
-Status CheckCorners(const Triangulation& t, const ConeTargets& targets, Eigen::VectorXd* vertex_y) {
-  const std::vector<Index> corners = CornersPerVertex(t);
+Status CheckCorners(const IntrinsicSurface& surface, const ConeTargets& targets,
+                    Eigen::VectorXd* vertex_y) {
+  const std::vector<Index>& corners = surface.corners;
   std::vector<int> bad;
-  for (Index v = 0; v < t.num_vertices; ++v) {
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
     const bool too_large = targets.lower[v] >= kPi * corners[v];
     if (!too_large && targets.upper[v] > 0) continue;
     if (bad.empty()) (*vertex_y)[v] = too_large ? 1 : -1;
     bad.push_back(v);
   }
   if (bad.empty()) return Status();
-  return Status(StatusCode::kInfeasible, CornerMessage(targets, corners, BoundaryVertices(t), bad));
+  return Status(StatusCode::kInfeasible, CornerMessage(targets, corners, surface.boundary, bad));
 }
 
 double Sum(const std::vector<double>& values) {
@@ -70,11 +71,10 @@ double Sum(const std::vector<double>& values) {
   return sum.Value();
 }
 
-std::vector<int> CurvedVertices(const Triangulation& t, const ConeTargets& targets) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
+std::vector<int> CurvedVertices(const IntrinsicSurface& surface, const ConeTargets& targets) {
   std::vector<int> curved;
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    const double flat = boundary[v] ? kPi : 2 * kPi;
+  for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
+    const double flat = surface.boundary[v] ? kPi : 2 * kPi;
     if (targets.lower[v] != flat || targets.upper[v] != flat) curved.push_back(v);
   }
   return curved;
@@ -82,13 +82,14 @@ std::vector<int> CurvedVertices(const Triangulation& t, const ConeTargets& targe
 
 /// The angle sums of all vertices add up to those of all triangles. `sign`: +1 when the vertices
 /// ask for too much, -1 for too little.
-Status CheckGaussBonnet(const Triangulation& t, const ConeTargets& targets, double* sign) {
+Status CheckGaussBonnet(const IntrinsicSurface& surface, const ConeTargets& targets, double* sign) {
+  const Triangulation& t = surface.triangulation;
   if (!AngleConstraints(t, targets).HasGauge()) return Status();
   const double lower = Sum(targets.lower), upper = Sum(targets.upper), all = kPi * t.num_faces();
   const bool too_much = lower > all + kRounding, too_little = upper < all - kRounding;
   if (!too_much && !too_little) return Status();
   *sign = too_much ? 1 : -1;
-  const std::vector<int> curved = CurvedVertices(t, targets);
+  const std::vector<int> curved = CurvedVertices(surface, targets);
   return Status(
       StatusCode::kInfeasible,
       fmt::format(
@@ -113,15 +114,16 @@ InfeasibilityCertificate Certify(const Triangulation& t, const ConeTargets& targ
 
 }  // namespace
 
-Status CheckTargets(const Triangulation& t, const ConeTargets& targets,
+Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
                     InfeasibilityCertificate* certificate) {
+  const Triangulation& t = surface.triangulation;
   if (Status s = CheckNumbers(t, targets); !s.ok()) return s;
   Eigen::VectorXd of_vertices = Eigen::VectorXd::Zero(t.num_vertices);
   double of_faces = 0;
-  Status status = CheckCorners(t, targets, &of_vertices);
+  Status status = CheckCorners(surface, targets, &of_vertices);
   if (status.ok()) {
     double sign = 0;
-    status = CheckGaussBonnet(t, targets, &sign);
+    status = CheckGaussBonnet(surface, targets, &sign);
     of_vertices.setConstant(sign);
     of_faces = -sign;
   }

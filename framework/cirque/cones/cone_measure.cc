@@ -19,11 +19,11 @@ double AreaMeasure::Value(const Eigen::VectorXd& u) const {
 }
 
 AngleMeasure::AngleMeasure(const ConeProblem& problem)
-    : triangulation_(*problem.source().triangulation),
+    : triangulation_(problem.source().surface->triangulation),
       area_(triangulation_.num_faces()),
       side_(triangulation_.num_halfedges()),
       weight_(Eigen::VectorXd::Ones(triangulation_.num_faces())) {
-  const Eigen::VectorXd& length = problem.source().lengths->value;
+  const Eigen::VectorXd& length = problem.source().surface->lengths.value;
   for (Index f = 0; f < triangulation_.num_faces(); ++f) {
     std::array<double, 3> l;
     for (int k = 0; k < 3; ++k) l[k] = length[triangulation_.edge[3 * f + k]];

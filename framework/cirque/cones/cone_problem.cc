@@ -7,7 +7,6 @@
 #include <glog/logging.h>
 
 #include "cirque/energy/dual_laplacian.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/linear/registry.h"
 
 namespace cirque {
@@ -42,42 +41,36 @@ Eigen::VectorXd Curvatures(const Triangulation& t, const CornerAngles& angles,
   return curvature;
 }
 
-ConeSource Complete(ConeSource source, const Triangulation& t, const EdgeLengths& lengths) {
-  if (!source.triangulation) {
-    source.triangulation = &t;
-    source.lengths = &lengths;
-  }
-  CHECK_EQ(source.triangulation->num_vertices, t.num_vertices);
-  if (source.file.of_vertex.empty()) source.file = VerticesInOrder(t.num_vertices);
+ConeSource Complete(ConeSource source, const IntrinsicSurface& surface) {
+  if (!source.surface) source.surface = &surface;
+  const Index num_vertices = surface.triangulation.num_vertices;
+  CHECK_EQ(source.surface->triangulation.num_vertices, num_vertices);
+  if (source.file.of_vertex.empty()) source.file = VerticesInOrder(num_vertices);
   return source;
 }
 
-std::vector<Index> CommonCorners(const Triangulation& a, const Triangulation& b) {
-  std::vector<Index> corners = CornersPerVertex(a);
-  const std::vector<Index> others = CornersPerVertex(b);
+std::vector<Index> CommonCorners(std::vector<Index> corners, const std::vector<Index>& others) {
   for (std::size_t v = 0; v < corners.size(); ++v) corners[v] = std::min(corners[v], others[v]);
   return corners;
 }
 
 }  // namespace
 
-ConeProblem::ConeProblem(const Triangulation& t, const EdgeLengths& lengths, ConeSource source)
-    : triangulation_(t),
-      lengths_(lengths),
-      source_(Complete(std::move(source), t, lengths)),
-      closed_(BoundaryLoops(t).empty()),
-      total_curvature_(2 * kPi * EulerCharacteristic(t)),
-      corners_(CommonCorners(t, *source_.triangulation)),
-      number_(t.num_vertices, kNone),
-      angles_(MeasureCornerAngles(t, lengths)) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
+ConeProblem::ConeProblem(IntrinsicSurface surface, ConeSource source)
+    : surface_(std::move(surface)),
+      source_(Complete(std::move(source), surface_)),
+      closed_(BoundaryLoops(triangulation()).empty()),
+      total_curvature_(2 * kPi * EulerCharacteristic(triangulation())),
+      corners_(CommonCorners(surface_.corners, source_.surface->corners)),
+      number_(triangulation().num_vertices, kNone) {
+  const Triangulation& t = triangulation();
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (boundary[v]) continue;
+    if (surface_.boundary[v]) continue;
     number_[v] = static_cast<Index>(candidates_.size());
     candidates_.push_back(v);
   }
-  curvature_ = Curvatures(t, angles_, boundary);
-  area_ = VertexAreas(t, lengths, angles_);
+  curvature_ = Curvatures(t, surface_.angles, surface_.boundary);
+  area_ = VertexAreas(t, lengths(), surface_.angles);
 }
 
 ConeProblem::~ConeProblem() = default;
@@ -88,13 +81,13 @@ double ConeProblem::LeastCurvature(Index v) const {
 }
 
 SparseMatrix ConeProblem::LowerLaplacian() const {
-  const Triangulation& t = triangulation_;
+  const Triangulation& t = triangulation();
   const auto num_unknowns = static_cast<int>(candidates_.size());
   // The boundary is one more node, whose row is dropped: u = 0 there.
   LaplacianAssembler assembler(num_unknowns + 1, t.num_edges());
   for (const Index h : t.edge_halfedge) {
-    double weight = Cotangent(angles_.value[h]);
-    if (t.twin[h] != kNone) weight += Cotangent(angles_.value[t.twin[h]]);
+    double weight = Cotangent(surface_.angles.value[h]);
+    if (t.twin[h] != kNone) weight += Cotangent(surface_.angles.value[t.twin[h]]);
     const auto node = [&](Index v) { return number_[v] == kNone ? num_unknowns : number_[v]; };
     assembler.Add(node(t.Tail(h)), node(t.Tip(h)),
                   std::clamp(0.5 * weight, kLeastWeight, kGreatestWeight));
@@ -111,7 +104,7 @@ SparseMatrix ConeProblem::Laplacian() const {
 
 Eigen::VectorXd ConeProblem::Solve(const Eigen::VectorXd& b) const {
   const auto num_unknowns = static_cast<Index>(candidates_.size());
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(triangulation_.num_vertices);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(triangulation().num_vertices);
   if (num_unknowns == 0) return u;
   if (!factor_) {
     SparseMatrix lower = LowerLaplacian();

@@ -8,6 +8,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/energy.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/cone_file.h"
 #include "cirque/linear/sparse_cholesky.h"
 
@@ -16,8 +17,7 @@ namespace cirque {
 /// The surface as its user has it, where that is not the connectivity cones are sought on. The
 /// vertices are the same.
 struct ConeSource {
-  const Triangulation* triangulation = nullptr;
-  const EdgeLengths* lengths = nullptr;
+  const IntrinsicSurface* surface = nullptr;
   FileVertices file;  ///< how a cone file numbers the vertices; empty: in order
 };
 
@@ -38,12 +38,15 @@ class ConeProblem {
  public:
   /// All that is referred to must outlive the problem. An angle sum may count on the corners that
   /// its vertex has in both triangulations.
-  ConeProblem(const Triangulation& triangulation, const EdgeLengths& lengths,
-              ConeSource source = {});
+  explicit ConeProblem(IntrinsicSurface surface, ConeSource source = {});
+  ConeProblem(const Triangulation& triangulation, const EdgeLengths& lengths)
+      : ConeProblem(MeasureSurface(triangulation, lengths)) {}
+  ConeProblem(const ConeProblem&) = delete;
+  ConeProblem& operator=(const ConeProblem&) = delete;
   ~ConeProblem();
 
-  const Triangulation& triangulation() const { return triangulation_; }
-  const EdgeLengths& lengths() const { return lengths_; }
+  const Triangulation& triangulation() const { return surface_.triangulation; }
+  const EdgeLengths& lengths() const { return surface_.lengths; }
   const ConeSource& source() const { return source_; }  ///< complete
 
   bool IsClosed() const { return closed_; }
@@ -75,13 +78,11 @@ class ConeProblem {
  private:
   SparseMatrix LowerLaplacian() const;
 
-  const Triangulation& triangulation_;
-  const EdgeLengths& lengths_;
+  IntrinsicSurface surface_;
   ConeSource source_;
   bool closed_;
   double total_curvature_;
   std::vector<Index> corners_, candidates_, number_;
-  CornerAngles angles_;
   Eigen::VectorXd curvature_, area_;
   mutable std::unique_ptr<SparseCholesky> factor_;
 };

@@ -44,9 +44,9 @@ StatusOr<std::vector<Cone>> CurvaturePeaks::ChooseAtMost(const ConeProblem& prob
                                                          int count) const {
   if (simple_) {
     const ConeSource& source = problem.source();
-    const auto targets = SimpleConeTargets(*source.triangulation, *source.lengths);
+    const auto targets = SimpleConeTargets(*source.surface);
     if (!targets.ok()) return targets.status();
-    return ConesOf(*source.triangulation, *targets);
+    return ConesOf(source.surface->triangulation, *targets);
   }
   StatusOr<ConeChoice> choice = ConeChoice::Make(problem, count);
   if (!choice.ok()) return choice.status();
@@ -66,21 +66,21 @@ StatusOr<std::vector<Cone>> CurvaturePeaks::ChooseAtMost(const ConeProblem& prob
 namespace {
 
 /// Curvature of every vertex: 2 pi minus its angle sum [rad].
-std::vector<double> Curvatures(const Triangulation& t, const EdgeLengths& lengths) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+std::vector<double> Curvatures(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
   std::vector<double> curvature(t.num_vertices, 2 * kPi);
-  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= angles.value[h];
+  for (Index h = 0; h < t.num_halfedges(); ++h) curvature[t.vertex[h]] -= surface.angles.value[h];
   return curvature;
 }
 
 class ConeSpread {
  public:
-  ConeSpread(const Triangulation& t, const EdgeLengths& lengths)
-      : t_(t),
-        lengths_(lengths),
-        quarter_turns_(4 * EulerCharacteristic(t)),
-        corners_(CornersPerVertex(t)),
-        curvature_(Curvatures(t, lengths)) {}
+  explicit ConeSpread(const IntrinsicSurface& surface)
+      : t_(surface.triangulation),
+        lengths_(surface.lengths),
+        quarter_turns_(4 * EulerCharacteristic(t_)),
+        corners_(surface.corners),
+        curvature_(Curvatures(surface)) {}
 
   StatusOr<ConeTargets> Choose() const {
     ConeTargets targets = FreeBoundaryTargets(t_);
@@ -132,15 +132,15 @@ class ConeSpread {
   const Triangulation& t_;
   const EdgeLengths& lengths_;
   const int quarter_turns_;  ///< total curvature 2 pi chi in units of pi/2
-  std::vector<Index> corners_;
+  const std::vector<Index>& corners_;
   std::vector<double> curvature_;
 };
 
 }  // namespace
 
-StatusOr<ConeTargets> SimpleConeTargets(const Triangulation& t, const EdgeLengths& lengths) {
-  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  return ConeSpread(t, lengths).Choose();
+StatusOr<ConeTargets> SimpleConeTargets(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
+  return BoundaryLoops(t).empty() ? ConeSpread(surface).Choose() : FreeBoundaryTargets(t);
 }
 
 }  // namespace cirque

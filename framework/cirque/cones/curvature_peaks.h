@@ -4,6 +4,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 
@@ -41,7 +42,6 @@ class CurvaturePeaks final : public BudgetedHeuristic {
 /// mechanical parts with many handles can still turn out infeasible with these cones.
 ///
 /// Errors (invalid input): too few vertices with enough corners for the genus.
-StatusOr<ConeTargets> SimpleConeTargets(const Triangulation& triangulation,
-                                        const EdgeLengths& lengths);
+StatusOr<ConeTargets> SimpleConeTargets(const IntrinsicSurface& surface);
 
 }  // namespace cirque

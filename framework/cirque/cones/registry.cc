@@ -39,9 +39,9 @@ class GivenCones final : public ConeHeuristic {
     }
     const ConeSource& source = problem.source();
     const StatusOr<ConeTargets> targets =
-        ReadConeFile(options_.file, *source.triangulation, source.file);
+        ReadConeFile(options_.file, source.surface->triangulation, source.file);
     if (!targets.ok()) return targets.status();
-    return ConesOf(*source.triangulation, *targets);
+    return ConesOf(source.surface->triangulation, *targets);
   }
 
  private:

@@ -235,10 +235,9 @@ std::vector<int> CoveredCones(const Triangulation& t, const Cut& cut,
 
 }  // namespace
 
-std::vector<Index> ConeVertices(const Triangulation& t, const ConeTargets& targets) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
+std::vector<Index> ConeVertices(const std::vector<bool>& boundary, const ConeTargets& targets) {
   std::vector<Index> cones;
-  for (Index v = 0; v < t.num_vertices; ++v) {
+  for (Index v = 0; v < static_cast<Index>(boundary.size()); ++v) {
     const bool flat = targets.lower[v] == 2 * kPi && targets.upper[v] == 2 * kPi;
     if (!boundary[v] && !flat) cones.push_back(v);
   }

@@ -29,7 +29,7 @@ StatusOr<Cut> CutGraph(const Triangulation& triangulation, const Eigen::VectorXd
                        const std::vector<Index>& cones);
 
 /// The interior vertices whose angle sum is not required to be 2 pi.
-std::vector<Index> ConeVertices(const Triangulation& triangulation, const ConeTargets& targets);
+std::vector<Index> ConeVertices(const std::vector<bool>& boundary, const ConeTargets& targets);
 
 /// Whether the surface can be laid out along the cut: every patch a disk, every cone on the
 /// boundary of its patches. Errors (invalid input): all patches and cones concerned, numbered from

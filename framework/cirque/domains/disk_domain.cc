@@ -12,7 +12,7 @@
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
-#include "cirque/pipeline/map_measures.h"
+#include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
 namespace {
@@ -97,7 +97,7 @@ void Deliver(const Triangulation& t, const EdgeLengths& lengths, CornerUv uv, Su
   map->uv = std::move(uv);
   map->cut.edge.assign(t.num_edges(), false);
   Fill(&map->certificate.layout).flipped_triangles = 0;
-  MeasureDistortion(t, lengths, map);
+  MeasureDistortion(t, lengths, map->cut, map->uv, &map->certificate);
   map->certificate.seconds.measures = timer.Seconds();
 }
 
@@ -171,7 +171,9 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
                       const SolveControl& control, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
-  const std::vector<bool> core = LargestChordlessPiece(t);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
+  const std::vector<bool> core = LargestChordlessPiece(t, intrinsic.boundary);
   const Index overhang = CountFalse(core);
   if (overhang > 0 || t.num_faces() == 1) {
     return Status::InvalidInput(
@@ -189,8 +191,6 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
     height = RaisePole(t, tried, &uv, &flipped);
     return flipped;
   };
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
   const Status status =
       SolveHalfPlaneChart({surface, intrinsic, request.shape.pole, request.options, control}, flips,
                           &map->certificate, &chart, &clean);

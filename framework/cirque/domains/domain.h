@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/option_table.h"
+#include "cirque/core/registry.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/mesh/surface.h"
@@ -59,12 +60,12 @@ struct SurfaceMap : Parameterization {
   bool IsOnSphere() const { return !position.empty(); }
 };
 
-/// A shape that surfaces are mapped to: an entry of the registry (registry.h).
+/// A shape that surfaces are mapped to: an entry of the registry.
 struct Domain {
   std::string help;  ///< one line
   /// What it reads of those members of a request that not every domain reads: of MapRequest
-  /// ("targets", "cut"), DomainOptions and ParameterizeOptions by their names; "metric": it needs no
-  /// points, lengths will do (Parameterize).
+  /// ("targets", "cut"), DomainOptions and ParameterizeOptions by their names; "metric": it needs
+  /// no points, lengths will do (Parameterize).
   std::vector<std::string> reads;
   /// Members of SurfaceMap that it fills in and not every domain does: "uv", "position", "flat".
   std::vector<std::string> gives;
@@ -78,9 +79,15 @@ struct Domain {
 
 /// Maps a surface onto a domain: the library's one way from a surface to its map. Errors:
 /// kInvalidInput (a domain, option, vertex or surface that do not fit each other), kInfeasible (the
-/// certificate holds the proof), kUnrepresentable, kNotConverged, kCancelled; `failed`, unless null,
-/// then receives the certificate, filled as far as the stages came.
+/// certificate holds the proof), kUnrepresentable, kNotConverged, kCancelled; `failed`, unless
+/// null, then receives the certificate, filled as far as the stages came.
 StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
                                 const SolveControl& control = {}, Certificate* failed = nullptr);
+
+/// The domains, one line each.
+const Registry<Domain>& Domains();
+
+/// Whether some domain reads this member of a request.
+bool IsReadBySomeDomain(const std::string& option);
 
 }  // namespace cirque

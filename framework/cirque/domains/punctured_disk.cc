@@ -44,10 +44,9 @@ std::vector<Index> StraightChain(const Triangulation& whole, const PuncturedDisk
 ConeTargets StraightTargets(const PuncturedDisk& disk, double epsilon) {
   const Triangulation& t = disk.rest.triangulation;
   ConeTargets targets = FreeBoundaryTargets(t);
-  const std::vector<bool> boundary = BoundaryVertices(t);
-  const std::vector<Index> corners = CornersPerVertex(t);
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (boundary[v] && corners[v] > 1) targets.upper[v] = kPi - epsilon;
+    const bool is_free = targets.lower[v] == 0, has_one_corner = targets.upper[v] == kPi;
+    if (is_free && !has_one_corner) targets.upper[v] = kPi - epsilon;
   }
   for (const Index v : disk.chain) targets.lower[v] = targets.upper[v] = kPi;
   for (const Index v : {disk.chain.front(), disk.chain.back()}) {

@@ -13,13 +13,13 @@ namespace cirque {
 struct PuncturedDisk {
   std::vector<bool> core;  ///< per face of the surface: on the solved side of every chord
   Index pole = kNone;      ///< vertex of the surface
-  SubTriangulation
-      rest;             ///< the core without the pole's faces; empty when the core is one triangle
-  EdgeLengths lengths;  ///< of rest
-  ConeTargets targets;  ///< of rest
+  /// The core without the pole's faces; empty when the core is one triangle.
+  SubTriangulation rest;
+  EdgeLengths lengths;       ///< of rest
+  ConeTargets targets;       ///< of rest
   std::vector<Index> chain;  ///< vertices of rest along the straight boundary, the surface left
   std::vector<Index> loop;   ///< all boundary vertices of the surface from the pole on, likewise
-  std::vector<double> arc;  ///< per entry of loop the boundary's length up to it, as a share of all
+  std::vector<double> arc;   ///< per entry of loop the share of the boundary up to it
 };
 
 /// Takes the pole's faces off the core of a disk. Targets: inner vertices flat, the chain straight

@@ -1,5 +1,3 @@
-#include "cirque/domains/registry.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -8,8 +6,8 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/disk_domain.h"
-#include "cirque/domains/plane_domain.h"
-#include "cirque/domains/polygon_domain.h"
+#include "cirque/domains/domain.h"
+#include "cirque/domains/planar_domains.h"
 #include "cirque/domains/sphere_domain.h"
 
 namespace cirque {

@@ -9,9 +9,8 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/pole.h"
-#include "cirque/domains/sphere_measures.h"
 #include "cirque/domains/sphere_normalization.h"
+#include "cirque/domains/sphere_pole.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/injectivity.h"

@@ -9,14 +9,14 @@ namespace cirque {
 AngleConstraints::AngleConstraints(const Triangulation& t, const ConeTargets& targets)
     : triangulation_(t),
       num_faces_(t.num_faces()),
+      corners_(CornersPerVertex(t)),
       row_of_vertex_(t.num_vertices, kNone),
       lower_(num_faces_, kPi),
       upper_(num_faces_, kPi) {
   CHECK_EQ(static_cast<int>(targets.lower.size()), t.num_vertices);
   CHECK_EQ(static_cast<int>(targets.upper.size()), t.num_vertices);
-  const std::vector<Index> corners = CornersPerVertex(t);
   for (Index v = 0; v < t.num_vertices; ++v) {
-    if (targets.lower[v] <= 0 && targets.upper[v] >= kPi * corners[v]) continue;
+    if (targets.lower[v] <= 0 && targets.upper[v] >= kPi * corners_[v]) continue;
     row_of_vertex_[v] = num_rows();
     constrained_vertices_.push_back(v);
     lower_.push_back(targets.lower[v]);

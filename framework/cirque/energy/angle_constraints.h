@@ -20,6 +20,7 @@ class AngleConstraints {
   int num_faces() const { return num_faces_; }
   int num_rows() const { return num_faces_ + static_cast<int>(constrained_vertices_.size()); }
   const std::vector<Index>& constrained_vertices() const { return constrained_vertices_; }
+  const std::vector<Index>& corners() const { return corners_; }  ///< per vertex their number
 
   /// The row of the vertex at corner h, kNone when that vertex is free.
   int VertexRow(Index h) const { return row_of_vertex_[triangulation_.vertex[h]]; }
@@ -49,7 +50,7 @@ class AngleConstraints {
  private:
   const Triangulation& triangulation_;
   int num_faces_;
-  std::vector<Index> constrained_vertices_;
+  std::vector<Index> corners_, constrained_vertices_;
   std::vector<int> row_of_vertex_;
   std::vector<double> lower_, upper_;
 };

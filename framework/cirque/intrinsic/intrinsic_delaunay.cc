@@ -51,8 +51,8 @@ constexpr double kSpareCorner = 0.01;  // of a corner's pi
 constexpr double kJagged = 0.25;       // [rad]: mean distance of angle sums from straight
 
 /// Whether the boundary vertices that are to be straight or reflex are far from it on average.
-bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets) {
-  const std::vector<bool> boundary = BoundaryVertices(t);
+bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
+              const std::vector<bool>& boundary) {
   std::vector<Index> straight;
   for (Index v = 0; v < t.num_vertices; ++v) {
     if (boundary[v] && targets.lower[v] >= kPi) straight.push_back(v);
@@ -69,7 +69,7 @@ bool IsJagged(const Triangulation& t, const EdgeLengths& lengths, const ConeTarg
 std::vector<Index> LeastCorners(const Triangulation& t, const EdgeLengths& lengths,
                                 const ConeTargets& targets) {
   const std::vector<bool> boundary = BoundaryVertices(t);
-  const bool jagged = IsJagged(t, lengths, targets);
+  const bool jagged = IsJagged(t, lengths, targets, boundary);
   std::vector<Index> least;
   for (Index v = 0; v < t.num_vertices; ++v) {
     const auto full = static_cast<Index>(std::floor(targets.lower[v] / kPi + kSpareCorner));
@@ -196,14 +196,13 @@ IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& t, const EdgeL
   return result;
 }
 
-ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
-                            const Triangulation& other) {
-  CHECK_EQ(input.num_vertices, other.num_vertices);
-  const std::vector<Index> before = CornersPerVertex(input), after = CornersPerVertex(other);
+ConeTargets TransferTargets(const IntrinsicSurface& input, const ConeTargets& targets,
+                            const IntrinsicSurface& other) {
+  CHECK_EQ(input.corners.size(), other.corners.size());
   ConeTargets transferred = targets;
-  for (Index v = 0; v < input.num_vertices; ++v) {
-    const bool is_free = targets.lower[v] <= 0 && targets.upper[v] >= kPi * before[v];
-    if (is_free) transferred.upper[v] = kPi * after[v];
+  for (std::size_t v = 0; v < input.corners.size(); ++v) {
+    const bool is_free = targets.lower[v] <= 0 && targets.upper[v] >= kPi * input.corners[v];
+    if (is_free) transferred.upper[v] = kPi * other.corners[v];
   }
   return transferred;
 }

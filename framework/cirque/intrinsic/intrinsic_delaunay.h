@@ -4,6 +4,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 
@@ -75,8 +76,8 @@ IntrinsicTriangulation MakeIntrinsicDelaunay(const Triangulation& triangulation,
 /// Targets of `input` for another triangulation of the same vertices. Flips change the numbers of
 /// corners, and with them the interval [0, pi * corners] that leaves a vertex free: free vertices
 /// stay free, every other interval stays as it is.
-ConeTargets TransferTargets(const Triangulation& input, const ConeTargets& targets,
-                            const Triangulation& other);
+ConeTargets TransferTargets(const IntrinsicSurface& input, const ConeTargets& targets,
+                            const IntrinsicSurface& other);
 
 /// tan^2(alpha_l / 2) tan^2(alpha_r / 2) may exceed 1 by this much.
 inline constexpr double kDelaunayTolerance = 1e-10;

@@ -156,13 +156,13 @@ const OptionTable<RefineMapOptions>& RefineMapOptionTable() {
   return kTable;
 }
 
-StatusOr<MapRefinement> RefineMap(const Triangulation& t, const CornerAngles& angles,
-                                  const EdgeLengths& lengths, const Cut& cut,
-                                  const std::vector<Seam>& seams, const MapObjective& objective,
+StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& objective,
                                   const RefineMapOptions& options,
                                   const std::atomic<bool>* cancelled, CornerUv* uv) {
-  const Triangulation open = CutOpen(t, cut);
-  BeltramiSystem system(t, open, angles, lengths, SeamConstraints(t, open, seams), objective);
+  const Triangulation& t = of.surface.triangulation;
+  const Triangulation open = CutOpen(t, of.cut);
+  BeltramiSystem system(t, open, of.surface.angles, of.surface.lengths,
+                        SeamConstraints(t, open, of.seams), objective);
   Refiner refiner(open, &system, PositionsOf(open, *uv));
   MapRefinement result{0, refiner.value(), refiner.value()};
   while (result.steps < options.steps) {

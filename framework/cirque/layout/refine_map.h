@@ -6,6 +6,7 @@
 #include "cirque/core/option_table.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
 
@@ -18,6 +19,13 @@ struct RefineMapOptions {
 
 /// Both by name, with their meanings, for configs and the command line.
 const OptionTable<RefineMapOptions>& RefineMapOptionTable();
+
+/// A surface with the cut of its map and the seams that the cut became (MeasureSeams).
+struct SeamedSurface {
+  const IntrinsicSurface& surface;
+  const Cut& cut;
+  const std::vector<Seam>& seams;
+};
 
 /// What became of the objective.
 struct MapRefinement {
@@ -40,10 +48,8 @@ struct MapRefinement {
 /// with |mu| >= 1 and, by exact arithmetic, none that is flipped. The image keeps its area. Faces
 /// of no area take no part, but stay as they are oriented.
 ///
-/// `angles` (3F [rad]), `lengths` (E): of the surface. `seams`: of MeasureSeams. Errors: cancelled.
-StatusOr<MapRefinement> RefineMap(const Triangulation& triangulation, const CornerAngles& angles,
-                                  const EdgeLengths& lengths, const Cut& cut,
-                                  const std::vector<Seam>& seams, const MapObjective& objective,
+/// Errors: cancelled.
+StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& objective,
                                   const RefineMapOptions& options,
                                   const std::atomic<bool>* cancelled, CornerUv* uv);
 

@@ -156,15 +156,15 @@ bool IsFlipped(const InputChart& flat, Index face) {
 }
 
 /// Moves the best of the face's vertices, if any can right the whole star around it.
-bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
-               const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+bool UntangleFace(const IntrinsicSurface& surface, const std::vector<bool>& movable,
                const MapObjective& objective, Index face, InputChart* flat) {
+  const Triangulation& t = surface.triangulation;
   std::optional<VertexStar> best;
   std::complex<double> best_position;
   double least = std::numeric_limits<double>::infinity();
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
     if (!movable[t.vertex[corner]]) continue;
-    const VertexStar star(t, surface_angles, surface_lengths, *flat, corner);
+    const VertexStar star(t, surface.angles, surface.lengths, *flat, corner);
     const auto position = star.IsSimple() ? star.BestPosition(objective) : std::nullopt;
     if (!position || !(star.WorstDistortion(*position) < least)) continue;
     best.emplace(star);
@@ -177,8 +177,7 @@ bool RightFace(const Triangulation& t, const CornerAngles& surface_angles,
 
 }  // namespace
 
-int UntangleFlippedTriangles(const Triangulation& t, const CornerAngles& surface_angles,
-                             const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+int UntangleFlippedTriangles(const IntrinsicSurface& surface, const std::vector<bool>& movable,
                              InputChart* flat) {
   const MapObjective objective = *MapObjectives().Find("mips");
   int moves = 0;
@@ -187,7 +186,7 @@ int UntangleFlippedTriangles(const Triangulation& t, const CornerAngles& surface
     std::vector<Index> left;
     for (const Index face : flat->flipped) {
       if (!IsFlipped(*flat, face)) continue;
-      if (RightFace(t, surface_angles, surface_lengths, movable, objective, face, flat)) {
+      if (UntangleFace(surface, movable, objective, face, flat)) {
         moved = true;
         ++moves;
       } else {

@@ -7,6 +7,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/input_chart.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/map_objective.h"
 
 namespace cirque {
@@ -58,11 +59,9 @@ class VertexStar {
 /// triangles can take away, and no face outside the star. Of a flipped triangle that vertex moves
 /// which leaves the least distorted star.
 ///
-/// `surface_angles` (3F [rad]), `surface_lengths` (E): what shall be distorted little. `movable`,
-/// V: interior vertices whose angles add up to 2 pi. Updates `flat`, whose list of flipped
+/// `surface`: what shall be distorted little. `movable`, V: interior vertices whose angles add up to 2 pi. Updates `flat`, whose list of flipped
 /// triangles then holds those that no such move untangles. Returns the number of moves.
-int UntangleFlippedTriangles(const Triangulation& triangulation, const CornerAngles& surface_angles,
-                             const EdgeLengths& surface_lengths, const std::vector<bool>& movable,
+int UntangleFlippedTriangles(const IntrinsicSurface& surface, const std::vector<bool>& movable,
                              InputChart* flat);
 
 }  // namespace cirque

@@ -51,8 +51,8 @@ EdgeLengths LengthsOf(const SubTriangulation& part, const Triangulation& whole,
   return own;
 }
 
-std::vector<bool> LargestChordlessPiece(const Triangulation& disk) {
-  const std::vector<bool> boundary = BoundaryVertices(disk);
+std::vector<bool> LargestChordlessPiece(const Triangulation& disk,
+                                        const std::vector<bool>& boundary) {
   Triangulation cut = disk;
   for (Index h = 0; h < disk.num_halfedges(); ++h) {
     if (boundary[disk.Tail(h)] && boundary[disk.Tip(h)]) cut.twin[h] = kNone;

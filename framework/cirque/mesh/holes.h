@@ -31,7 +31,8 @@ EdgeLengths LengthsOf(const SubTriangulation& part, const Triangulation& whole,
 /// The faces on one side of all chords, by flag: a chord is an inner edge between two boundary
 /// vertices. Of the pieces into which the chords cut a disk the one with the most faces, the first
 /// of equals. It has no chord itself: an inner vertex, or but one triangle.
-std::vector<bool> LargestChordlessPiece(const Triangulation& disk);
+std::vector<bool> LargestChordlessPiece(const Triangulation& disk,
+                                        const std::vector<bool>& boundary);
 
 /// A closed surface without the open star of one vertex.
 struct PuncturedSurface : SubTriangulation {

@@ -181,8 +181,8 @@ EdgeLengths ChordLengths(const Triangulation& t, const std::vector<Eigen::Vector
   return lengths;
 }
 
-CornerUv FacesInPlane(const Triangulation& t, const EdgeLengths& lengths) {
-  const CornerAngles angles = MeasureCornerAngles(t, lengths);
+CornerUv FacesInPlane(const IntrinsicSurface& surface) {
+  const auto& [t, lengths, angles, boundary, corners] = surface;
   CornerUv uv;
   uv.value.resize(t.num_halfedges());
   for (Index h = 0; h < t.num_halfedges(); h += 3) {
@@ -194,9 +194,8 @@ CornerUv FacesInPlane(const Triangulation& t, const EdgeLengths& lengths) {
   return uv;
 }
 
-Eigen::VectorXd AngleDifferences(const Triangulation& t, const EdgeLengths& from,
-                                 const EdgeLengths& to) {
-  return (MeasureCornerAngles(t, from).value - MeasureCornerAngles(t, to).value).cwiseAbs();
+Eigen::VectorXd AngleDifferences(const CornerAngles& from, const CornerAngles& to) {
+  return (from.value - to.value).cwiseAbs();
 }
 
 }  // namespace cirque

@@ -6,6 +6,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 
@@ -49,10 +50,9 @@ EdgeLengths ChordLengths(const Triangulation& triangulation,
 
 /// Every face with these edge lengths in a plane of its own, its first corner at the origin and its
 /// second on the x axis: so a metric, too, can be the image that MeasureFaces looks at.
-CornerUv FacesInPlane(const Triangulation& triangulation, const EdgeLengths& lengths);
+CornerUv FacesInPlane(const IntrinsicSurface& surface);
 
 /// 3F: |angle in one metric - angle in the other| at every corner [rad].
-Eigen::VectorXd AngleDifferences(const Triangulation& triangulation, const EdgeLengths& from,
-                                 const EdgeLengths& to);
+Eigen::VectorXd AngleDifferences(const CornerAngles& from, const CornerAngles& to);
 
 }  // namespace cirque

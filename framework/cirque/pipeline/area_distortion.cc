@@ -1,5 +1,3 @@
-#include "cirque/pipeline/area_distortion.h"
-
 #include <cmath>
 
 #include <glog/logging.h>
@@ -10,6 +8,7 @@
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/linear/registry.h"
 #include "cirque/math/circle_angle.h"
+#include "cirque/pipeline/refine_cones.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {

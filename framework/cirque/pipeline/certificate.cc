@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cirque/pipeline/certificate_fields.h"
-
 namespace cirque {
 namespace {
 

@@ -1,6 +1,6 @@
-#include "cirque/pipeline/certificate_fields.h"
-
 #include <fmt/format.h>
+
+#include "cirque/pipeline/certificate.h"
 
 namespace cirque {
 namespace {

@@ -15,7 +15,6 @@
 #include "cirque/angles/registry.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/layout/untangle.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/radii/solve_log_radii.h"
@@ -74,7 +73,7 @@ class Flattening {
         source_area_(Area(job.surface)) {}
 
   Status Run() {
-    if (Status s = CheckTargets(input_, targets_, &result_.infeasibility); !s.ok()) return s;
+    if (Status s = CheckTargets(job_.surface, targets_, &result_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == SolvedTriangulation::kInput) return SolveOnInput();
     std::vector<bool> locked(input_.num_edges(), false);
     if (job_.locked) locked = *job_.locked;
@@ -150,16 +149,16 @@ class Flattening {
   Status FitAngles() {
     const auto objective = AngleObjectives().Find(options_.angle_objective);
     if (!objective.ok()) return objective.status();
-    const ConeTargets targets = TransferTargets(input_, targets_, t());
+    std::optional<IntrinsicSurface> flipped;
+    if (!result_.intrinsic.flips.empty()) {
+      flipped.emplace(MeasureSurface(t(), result_.intrinsic.lengths));
+    }
+    const IntrinsicSurface& solved = flipped ? *flipped : job_.surface;
+    const ConeTargets targets = TransferTargets(job_.surface, targets_, solved);
     const AngleConstraints constraints(t(), targets);
     const auto method = MakeAngleSolver(options_.angle_solver, SolverOptions());
     if (!method.ok()) return method.status();
-    CornerAngles flipped;
-    if (!result_.intrinsic.flips.empty()) {
-      flipped = MeasureCornerAngles(t(), result_.intrinsic.lengths);
-    }
-    const CornerAngles& reference = result_.intrinsic.flips.empty() ? job_.surface.angles : flipped;
-    const AngleFitProblem problem = {constraints, reference.value, options_.epsilon,
+    const AngleFitProblem problem = {constraints, solved.angles.value, options_.epsilon,
                                      StartOfFit(constraints)};
     AngleFitResult fit;
     Status status = cirque::FitAngles(problem, *objective, **method, job_.control, &fit);
@@ -254,8 +253,7 @@ class Flattening {
     for (Index v = 0; v < input_.num_vertices; ++v) {
       movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
     }
-    flips_.moved_vertices = UntangleFlippedTriangles(
-        input_, job_.surface.angles, job_.surface.lengths, movable, &result_.on_input);
+    flips_.moved_vertices = UntangleFlippedTriangles(job_.surface, movable, &result_.on_input);
   }
 
   /// Shifts the gauge so that the image has the surface's area.

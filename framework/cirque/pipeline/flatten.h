@@ -28,8 +28,8 @@ struct FlatSurface {
   InfeasibilityCertificate infeasibility;  ///< with kInfeasible: why there is none
 };
 
-/// Solves with these edges (a flag per edge of the input) locked; returns the input's faces that come
-/// out flipped, of which none are left when there are none or locking would not help.
+/// Solves with these edges (a flag per edge of the input) locked; returns the input's faces that
+/// come out flipped, of which none are left when there are none or locking would not help.
 using SolveWithLocked =
     std::function<StatusOr<std::vector<Index>>(const std::vector<bool>& locked)>;
 
@@ -38,11 +38,11 @@ using LockFlipped =
     std::function<bool(const std::vector<Index>& flipped, std::vector<bool>* locked)>;
 
 /// How often SolveLockingFlipped locks edges.
-inline constexpr int kMostLockingRounds = 6;
+inline constexpr int kMostLockingRounds = 4;
 
 /// The lazily constrained loop: solves, locks edges of the faces that came out flipped, which then
-/// are faces of the pattern, and solves again, kMostLockingRounds times at most. Returns the flipped
-/// faces of the last round, or its error.
+/// are faces of the pattern, and solves again, kMostLockingRounds times at most. Returns the
+/// flipped faces of the last round, or its error.
 StatusOr<std::vector<Index>> SolveLockingFlipped(std::vector<bool> locked,
                                                  const SolveWithLocked& solve,
                                                  const LockFlipped& lock);

@@ -6,7 +6,7 @@
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/pipeline/refine_layout.h"
+#include "cirque/pipeline/finish_layout.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

@@ -16,12 +16,9 @@
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/cut_costs.h"
-#include "cirque/pipeline/map_measures.h"
+#include "cirque/pipeline/finish_layout.h"
 #include "cirque/pipeline/place_cones.h"
 #include "cirque/pipeline/refine_cones.h"
-#include "cirque/pipeline/refine_layout.h"
-#include "cirque/pipeline/repair_cones.h"
-#include "cirque/pipeline/snap_rotations.h"
 
 namespace cirque {
 namespace {
@@ -98,7 +95,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   const Triangulation& t = job.surface.triangulation;
   Certificate& certificate = result->certificate;
   const InputChart& flat = result->flat.on_input;
-  const std::vector<Index> cones = ConeVertices(t, result->targets);
+  const std::vector<Index> cones = ConeVertices(job.surface.boundary, result->targets);
   StatusOr<Cut> cut = ChooseCut(job, flat, cones);
   if (!cut.ok()) return cut.status();
   StatusOr<PlanarLayout> laid_out = LayOutBy(job.options.layout, t, flat, *cut);
@@ -143,7 +140,7 @@ Status FlattenAsAsked(const Job& job, Parameterization* result) {
 /// would be no proof about the input.
 Status FreeSeams(const Job& job, Parameterization* result) {
   const Triangulation& t = job.surface.triangulation;
-  const std::vector<Index> cones = ConeVertices(t, result->targets);
+  const std::vector<Index> cones = ConeVertices(job.surface.boundary, result->targets);
   StatusOr<Cut> cut = ChooseCut(job, result->flat.on_input, cones);
   if (!cut.ok()) return cut.status();
   const Triangulation open = CutOpen(t, *cut);
@@ -172,7 +169,8 @@ Status LayOutAndMeasure(const Job& job, Parameterization* result) {
       job.options.seams == SeamKind::kFree ? FreeSeams(job, result) : LayOut(job, result);
   if (!status.ok()) return status;
   const Timer measure_timer;
-  MeasureDistortion(job.surface.triangulation, job.surface.lengths, result);
+  MeasureDistortion(job.surface.triangulation, job.surface.lengths, result->cut, result->uv,
+                    &result->certificate);
   result->certificate.seconds.measures = measure_timer.Seconds();
   return status;
 }
@@ -259,7 +257,8 @@ FileVertices VerticesInFile(const Surface& surface) {
 }  // namespace
 
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
-  return DefaultTargets(surface.triangulation, MeasureEdgeLengths(surface));
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  return DefaultTargets(MeasureSurface(surface.triangulation, lengths));
 }
 
 Status Parameterize(const Triangulation& t, const EdgeLengths& lengths,

@@ -11,7 +11,6 @@
 
 #include "cirque/cones/cone_fit.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
-#include "cirque/pipeline/area_distortion.h"
 
 namespace cirque {
 namespace {
@@ -46,11 +45,9 @@ class Refinement {
       : options_(job.options),
         control_(job.control),
         objective_(objective),
-        problem_(start.intrinsic.triangulation, start.intrinsic.lengths,
-                 {&job.surface.triangulation, &job.surface.lengths, {}}),
-        surface_(MeasureSurface(problem_.triangulation(), problem_.lengths())),
-        targets_(
-            TransferTargets(job.surface.triangulation, targets, start.intrinsic.triangulation)),
+        surface_(MeasureSurface(start.intrinsic.triangulation, start.intrinsic.lengths)),
+        problem_(surface_, {&job.surface, {}}),
+        targets_(TransferTargets(job.surface, targets, surface_)),
         current_(start) {
     options_.triangulation = SolvedTriangulation::kInput;  // which the intrinsic one is, now
     FindCones(start);
@@ -185,9 +182,9 @@ class Refinement {
   ParameterizeOptions options_;
   const SolveControl& control_;
   const AngleObjective& objective_;
+  const IntrinsicSurface surface_;  ///< where the start was solved
   const ConeProblem problem_;
-  const IntrinsicSurface surface_;  ///< the problem's
-  ConeTargets targets_;             ///< of the problem's triangulation
+  ConeTargets targets_;  ///< of the problem's triangulation
   FlatSurface current_;
   std::vector<Index> vertices_;
   Eigen::VectorXd angles_;

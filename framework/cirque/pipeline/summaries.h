@@ -9,10 +9,10 @@
 
 namespace cirque {
 
-// What the stages of a run tell of themselves, as plain numbers. A member is called what it is called
-// in certificates and records; CertificateFields (certificate_fields.h) says what it means and in
-// which unit. Angles are in radians, lengths relative, vertices numbered as in the input file from 0.
-// What a run did not come to is absent.
+// What the stages of a run tell of themselves, as plain numbers. A member is called what it is
+// called in certificates and records; CertificateFields (certificate_fields.h) says what it means
+// and in which unit. Angles are in radians, lengths relative, vertices numbered as in the input
+// file from 0. What a run did not come to is absent.
 
 /// Flips to the intrinsic triangulation where it was solved, and back.
 struct TriangulationSummary {

@@ -1,4 +1,4 @@
-#include "cirque/pipeline/refine_layout.h"
+#include "cirque/pipeline/finish_layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/certificate_fields.h"
+#include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"
@@ -49,7 +49,7 @@ TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
       EXPECT_LT(certificate.seams->seam_gap, 1e-12);
       EXPECT_LT(certificate.seams->seam_rotation_mismatch, 1e-9);
       EXPECT_LT(certificate.seams->cone_rotation_mismatch, 1e-9);
-      const std::vector<Index> cones = ConeVertices(t, plain.targets);
+      const std::vector<Index> cones = ConeVertices(BoundaryVertices(t), plain.targets);
       const auto rotations = [&](const Parameterization& map) {
         return MeasureSeams(t, map.cut, cones, map.flat.on_input.angles, map.uv).seams;
       };
@@ -81,7 +81,8 @@ TEST(FreeSeams, OpenTheSurfaceAlongTheCutOfItsCones) {
     EXPECT_LT(Distortion(open), Distortion(rigid));
     EXPECT_TRUE(FlippedFaces(surface.triangulation, open.uv).empty());
     // What is given up: the sides of the cut are not congruent any more.
-    const std::vector<Index> cones = ConeVertices(surface.triangulation, rigid.targets);
+    const std::vector<Index> cones =
+        ConeVertices(BoundaryVertices(surface.triangulation), rigid.targets);
     const SeamReport seams =
         MeasureSeams(surface.triangulation, open.cut, cones, rigid.flat.on_input.angles, open.uv);
     EXPECT_GT(seams.max_length_mismatch, 1e-3);
@@ -114,6 +115,89 @@ TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
   options.refine_map = "none";
   options.epsilon = 2;
   EXPECT_EQ(refusal(options), "parameterize: epsilon = '2' is not a number in [1e-12, 1] rad");
+}
+
+ConeTargets TargetsAt(const std::vector<std::pair<double, double>>& intervals) {
+  ConeTargets targets;
+  for (const auto& [lower, upper] : intervals) {
+    targets.lower.push_back(lower);
+    targets.upper.push_back(upper);
+  }
+  return targets;
+}
+
+TEST(CommonRotationOrder, IsThatOfTheConesAngles) {
+  const double right = kPi / 2, third = kPi / 3;
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({}), {}), 4);
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{right, right}, {5 * right, 5 * right}}), {0, 1}), 4);
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{third, third}, {5 * third, 5 * third}}), {0, 1}), 6);
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{kPi, kPi}}), {0}), 4);  // a multiple of both
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{right, right}, {third, third}}), {0, 1}), 0);
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{right, 2 * right}}), {0}), 0);      // not fixed
+  EXPECT_EQ(CommonRotationOrder(TargetsAt({{1, 1}, {right, right}}), {1}), 4);  // 0 is no cone
+}
+
+TEST(SnapRotations, MakeTransitionsOfATorusTranslations) {
+  const Surface torus = GeneratedSurface("torus", 500);
+  const Triangulation& t = torus.triangulation;
+  const Parameterization map = MapOf(torus, {});
+  EXPECT_EQ(map.certificate.layout->rotation_order, 4);
+  const SeamReport seams = MeasureSeams(t, map.cut, {}, map.flat.on_input.angles, map.uv);
+  ASSERT_FALSE(seams.seams.empty());
+  for (const Seam& seam : seams.seams) {
+    EXPECT_NEAR(std::remainder(seam.rotation, kPi / 2), 0, 1e-12);
+    // Exactly: the two sides of every opened edge differ by the same translation or quarter turns.
+    for (const Index h : seam.halfedges) {
+      const Eigen::Vector2d left =
+          map.uv.value[Triangulation::Prev(h)] - map.uv.value[Triangulation::Next(h)];
+      const Index g = t.twin[h];
+      const Eigen::Vector2d right =
+          map.uv.value[Triangulation::Next(g)] - map.uv.value[Triangulation::Prev(g)];
+      EXPECT_NEAR(left.norm(), right.norm(), 1e-12 * (1 + left.norm()));
+    }
+  }
+  // Once more changes nothing that counts, and another order does not fit every torus.
+  CornerUv again = map.uv;
+  EXPECT_TRUE(SnapRotations(t, map.cut, {}, map.flat.on_input.angles, 4, &again));
+  double moved = 0;
+  for (std::size_t h = 0; h < again.value.size(); ++h) {
+    moved = std::max(moved, (again.value[h] - map.uv.value[h]).norm());
+  }
+  EXPECT_LT(moved, 1e-9);
+}
+
+TEST(SnapRotations, LeaveTheUvAloneWhereARotationIsNoMultiple) {
+  const Surface blob = GeneratedSurface("blob", 300);
+  ParameterizeOptions options;
+  options.cones = "greedy:cones=4";
+  const Parameterization map = MapOf(blob, options);
+  EXPECT_EQ(map.certificate.layout->rotation_order, 0);
+  const std::vector<Index> cones = ConeVertices(BoundaryVertices(blob.triangulation), map.targets);
+  ASSERT_FALSE(cones.empty());
+  CornerUv uv = map.uv;
+  EXPECT_FALSE(SnapRotations(blob.triangulation, map.cut, cones, map.flat.on_input.angles, 4, &uv));
+  EXPECT_EQ(uv.value, map.uv.value);
+}
+
+TEST(MeasureDistortion, KnowsTheFiguresOfAnAffineMap) {
+  // Twice as wide as before: quasi-conformal distortion 2 everywhere, no area ratio but the mean.
+  const Surface strip = FlatStrip(4, 3);
+  const Triangulation& t = strip.triangulation;
+  CornerUv uv;
+  for (const Index v : t.vertex) {
+    uv.value.emplace_back(2 * strip.position[v].x(), strip.position[v].y());
+  }
+  Certificate certificate;
+  const Cut none = {std::vector<bool>(t.num_edges(), false)};
+  MeasureDistortion(t, MeasureEdgeLengths(strip), none, uv, &certificate);
+  EXPECT_EQ(certificate.overlap, "injective");
+  EXPECT_NEAR(certificate.distortion->quasi_conformal_mean, 2, 1e-12);
+  EXPECT_NEAR(certificate.distortion->quasi_conformal_max, 2, 1e-12);
+  EXPECT_NEAR(certificate.distortion->log_area_ratio_l2, 0, 1e-12);
+  // Folded over the middle its boundary crosses itself.
+  for (Eigen::Vector2d& p : uv.value) p.x() = std::abs(p.x() - 3.5);
+  MeasureDistortion(t, MeasureEdgeLengths(strip), none, uv, &certificate);
+  EXPECT_EQ(certificate.overlap, "boundary_overlaps");
 }
 
 }  // namespace

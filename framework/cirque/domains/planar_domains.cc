@@ -1,4 +1,4 @@
-#include "cirque/domains/polygon_domain.h"
+#include "cirque/domains/planar_domains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,10 +49,11 @@ std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& 
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     place[t.vertex[h]] = {in_disk.value[h].x(), in_disk.value[h].y()};
   }
-  const std::vector<Index> triangles = CornersPerVertex(t), loop = BoundaryVerticesInOrder(t);
+  const std::vector<Index> loop = BoundaryVerticesInOrder(t);
+  const ConeTargets free = FreeBoundaryTargets(t);  // to pi a corner
   std::vector<Index> ears;
   std::copy_if(loop.begin(), loop.end(), std::back_inserter(ears),
-               [&](Index v) { return triangles[v] == 1; });
+               [&](Index v) { return free.upper[v] == kPi; });
   std::vector<Complex> wanted;
   for (int k = 0; k < sides; ++k) {
     wanted.push_back(std::polar(1.0, 2 * kPi * k / sides) *
@@ -235,11 +236,10 @@ Status MapToExteriorAngles(const Surface& surface, const MapRequest& request,
                            const SolveControl& control, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   const ConeTargets free = FreeBoundaryTargets(t);
-  const std::vector<bool> boundary = BoundaryVertices(t);
   ConeTargets straight = *request.targets;
   for (Index v = 0; v < t.num_vertices; ++v) {
     const bool is_free = straight.lower[v] == free.lower[v] && straight.upper[v] == free.upper[v];
-    if (boundary[v] && is_free) straight.lower[v] = straight.upper[v] = kPi;
+    if (free.lower[v] == 0 && is_free) straight.lower[v] = straight.upper[v] = kPi;
   }
   return Parameterize(surface, {request.options, std::move(straight), {}}, control, map);
 }
@@ -262,6 +262,11 @@ Status MapToTriangle(const Surface& surface, const MapRequest& request, const So
                      SurfaceMap* map) {
   const StatusOr<MapRequest> three = WithSides(request, "triangle", 3);
   return three.ok() ? Map(surface, *three, control, Shape::kPolygon, map) : three.status();
+}
+
+Status MapToPlane(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                  SurfaceMap* map) {
+  return Parameterize(surface, request, control, map);
 }
 
 }  // namespace cirque

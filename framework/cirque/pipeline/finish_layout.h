@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cirque/core/triangulation.h"
+#include "cirque/core/metric.h"
+#include "cirque/core/status.h"
+#include "cirque/intrinsic/input_chart.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/planar_layout.h"
+#include "cirque/pipeline/certificate.h"
+
+namespace cirque {
+
+/// Whether a text is a value of ParameterizeOptions::refine_map; the error says what is wrong.
+Status CheckRefineMap(const std::string& refine_map);
+
+/// A layout's surface, flat metric, cut and cones.
+struct LaidOutSurface {
+  const IntrinsicSurface& surface;
+  const InputChart& flat;
+  const Cut& cut;
+  const std::vector<Index>& cones;
+  const std::atomic<bool>* cancelled;
+};
+
+/// Refines a layout without flipped faces as `refine_map` says (RefineMap), unless that is "none".
+/// Errors: as CheckRefineMap; cancelled.
+Status RefineLayout(const LaidOutSurface& of, const std::string& refine_map, PlanarLayout* layout,
+                    std::optional<MapRefinementSummary>* summary);
+
+/// 4 where every cone's angle is fixed to a multiple of pi/2, 6 where to one of pi/3, 0 otherwise.
+/// 4 without cones: the transitions of a flat surface without handles and loops, and of a flat
+/// torus, then are translations.
+int CommonRotationOrder(const ConeTargets& targets, const std::vector<Index>& cones);
+
+/// Makes the rotations across all seams exact multiples of 2 pi / order, and the two sides of every
+/// seam differ by just that and a translation. False, with `uv` untouched, where some rotation is
+/// no multiple, as around a handle or a boundary loop it need not be, or where exactness would
+/// flip a triangle.
+bool SnapRotations(const Triangulation& triangulation, const Cut& cut,
+                   const std::vector<Index>& cones, const CornerAngles& flat_angles, int order,
+                   CornerUv* uv);
+
+/// Fills in the certificate's overlap and figures of distortion.
+void MeasureDistortion(const Triangulation& triangulation, const EdgeLengths& lengths,
+                       const Cut& cut, const CornerUv& uv, Certificate* certificate);
+
+/// The certificate's figures of distortion of a map of flat triangles.
+DistortionSummary DistortionOf(const Triangulation& triangulation, const EdgeLengths& lengths,
+                               const CornerUv& uv);
+
+}  // namespace cirque

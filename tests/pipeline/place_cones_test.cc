@@ -1,0 +1,108 @@
+#include "cirque/pipeline/place_cones.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cirque/cones/cone.h"
+#include "cirque/mesh/surface.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::HasSubstr;
+
+StatusOr<ConeTargets> Place(const Surface& surface, const ParameterizeOptions& options) {
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  return PlaceCones(MeasureSurface(surface.triangulation, lengths), {}, options);
+}
+
+/// What the cones take away from the angle sums, in all [rad].
+double TotalCurvature(const Triangulation& t, const ConeTargets& targets) {
+  double total = 0;
+  for (const Cone& cone : ConesOf(t, targets)) total += 2 * kPi - cone.lower;
+  return total;
+}
+
+TEST(PlaceCones, OfAClosedSurfaceObeyGaussBonnet) {
+  for (const char* name : {"sphere", "blob", "torus", "double_torus"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = GeneratedSurface(name, 400);
+    const Triangulation& t = surface.triangulation;
+    const auto targets = Place(surface, {});
+    ASSERT_TRUE(targets.ok()) << targets.status().message();
+    EXPECT_NEAR(TotalCurvature(t, *targets), 2 * kPi * EulerCharacteristic(t), 1e-9);
+    EXPECT_EQ(ConesOf(t, *targets).empty(), EulerCharacteristic(t) == 0);
+  }
+}
+
+TEST(PlaceCones, ABoundaryNeedsNone) {
+  const Surface surface = GeneratedSurface("annulus", 300);
+  const ConeTargets free = FreeBoundaryTargets(surface.triangulation);
+  const auto targets = Place(surface, {});
+  EXPECT_EQ(targets->lower, free.lower);
+  EXPECT_EQ(targets->upper, free.upper);
+}
+
+TEST(PlaceCones, ScaleDoesNotMatter) {
+  const Surface blob = GeneratedSurface("blob", 300);
+  const Surface large = Moved(blob, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    return 256 * x;  // exact
+  });
+  for (const char* cones : {"", "greedy:cones=5", "peaks:cones=6"}) {
+    ParameterizeOptions options;
+    options.cones = cones;
+    const auto small = Place(blob, options), scaled = Place(large, options);
+    ASSERT_TRUE(small.ok()) << small.status().message();
+    ASSERT_TRUE(scaled.ok()) << scaled.status().message();
+    EXPECT_EQ(ConesOf(blob.triangulation, *small).size(),
+              ConesOf(blob.triangulation, *scaled).size());
+    for (std::size_t v = 0; v < small->lower.size(); ++v) {
+      EXPECT_NEAR(small->lower[v], scaled->lower[v], 1e-9) << cones;
+    }
+  }
+}
+
+TEST(PlaceCones, TheBudgetIsKeptAndAnglesRounded) {
+  const Surface surface = GeneratedSurface("blob", 500);
+  ParameterizeOptions options;
+  options.cones = "greedy";
+  options.cone_budget = 5;
+  const auto cones = ConesOf(surface.triangulation, *Place(surface, options));
+  EXPECT_LE(cones.size(), 5u);
+  EXPECT_GE(cones.size(), 2u);
+  options.cone_angles = "pi/2";
+  const auto rounded = ConesOf(surface.triangulation, *Place(surface, options));
+  ASSERT_FALSE(rounded.empty());
+  for (const Cone& cone : rounded) {
+    EXPECT_NEAR(std::remainder(cone.lower, kPi / 2), 0, 1e-12);
+    EXPECT_EQ(cone.lower, cone.upper);
+  }
+  options.cone_angles = "ranges:width=0.2";
+  for (const Cone& cone : ConesOf(surface.triangulation, *Place(surface, options))) {
+    EXPECT_GT(cone.upper - cone.lower, 0.1);
+  }
+}
+
+TEST(PlaceCones, WhatDoesNotFitIsRefused) {
+  const Surface surface = GeneratedSurface("sphere", 100);
+  const auto refusal = [&](const std::string& cones, int budget, const std::string& angles) {
+    ParameterizeOptions options;
+    options.cones = cones;
+    options.cone_budget = budget;
+    options.cone_angles = angles;
+    const auto targets = Place(surface, options);
+    EXPECT_EQ(targets.status().code(), StatusCode::kInvalidInput);
+    return targets.status().message();
+  };
+  EXPECT_THAT(refusal("", 3, "free"), HasSubstr("a cone budget needs a heuristic"));
+  EXPECT_THAT(refusal("gredy", -1, "free"), HasSubstr("did you mean 'greedy'"));
+  EXPECT_THAT(refusal("greedy", -1, "pi/7"), HasSubstr("pi/7"));
+  EXPECT_THAT(refusal("greedy:colour=red", -1, "free"), HasSubstr("colour"));
+}
+
+}  // namespace
+}  // namespace cirque
