@@ -52,7 +52,7 @@ TEST(PlaceCones, ScaleDoesNotMatter) {
   const Surface large = Moved(blob, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     return 256 * x;  // exact
   });
-  for (const char* cones : {"", "greedy:cones=5", "peaks:cones=6"}) {
+  for (const char* cones : {"", "greedy:cones=5", "curvature_peaks:cones=6"}) {
     ParameterizeOptions options;
     options.cones = cones;
     const auto small = Place(blob, options), scaled = Place(large, options);

@@ -4,8 +4,8 @@
 
 #include "cirque/domains/domain.h"
 #include "cirque/domains/half_plane_chart.h"
-#include "cirque/layout/half_plane.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/half_plane.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {

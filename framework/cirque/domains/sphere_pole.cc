@@ -9,8 +9,8 @@
 
 #include "cirque/intrinsic/corner_angles.h"
 #include "cirque/mesh/farthest_vertices.h"
-#include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/metrics/mapped_faces.h"
 #include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {

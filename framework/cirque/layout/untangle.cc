@@ -157,7 +157,7 @@ bool IsFlipped(const InputChart& flat, Index face) {
 
 /// Moves the best of the face's vertices, if any can right the whole star around it.
 bool UntangleFace(const IntrinsicSurface& surface, const std::vector<bool>& movable,
-               const MapObjective& objective, Index face, InputChart* flat) {
+                  const MapObjective& objective, Index face, InputChart* flat) {
   const Triangulation& t = surface.triangulation;
   std::optional<VertexStar> best;
   std::complex<double> best_position;

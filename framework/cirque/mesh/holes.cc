@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/core/triangulation.h"
 #include "cirque/core/text.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cirque/core/infeasibility.h"
-#include "cirque/core/status.h"
 #include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/summaries.h"
 

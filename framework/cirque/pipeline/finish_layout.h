@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cirque/core/triangulation.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/planar_layout.h"

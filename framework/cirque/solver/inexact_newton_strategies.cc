@@ -4,8 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include "cirque/solver/newton_loop.h"
 #include "cirque/linear/lagged_factorization.h"
+#include "cirque/linear/registry.h"
+#include "cirque/solver/newton_loop.h"
 
 namespace cirque {
 
@@ -21,8 +22,8 @@ class InexactDirection {
   InexactDirection(double forcing, SystemSolver* solver, SolveRun* run)
       : forcing_(forcing), solver_(solver), run_(run) {}
 
-  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, LevenbergMarquardtDamping* damping,
-                  Eigen::VectorXd* direction) {
+  bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                  LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction) {
     if (!run_->Hessian(x, &hessian_)) return false;
     damping->DampHessian(&hessian_);
     const double goal = run_->gradient_tolerance() / gradient.lpNorm<Eigen::Infinity>();
@@ -102,7 +103,7 @@ SolveSummary NewtonAmgStrategy::Minimize(const Energy& energy, const SolveContro
   SystemSolver* solver = control.system_solver ? control.system_solver : &own;
   if (SparseMatrix smooth; !control.system_solver && energy.SmoothHessian(x->data(), &smooth)) {
     LevenbergMarquardtDamping(energy).DampHessian(&smooth);
-    own.ExpectSystemsNear(smooth, &run.summary());
+    own.PrepareForSystemsNear(smooth, &run.summary());
   }
   IterateInexactNewton(options_.forcing, solver, &run, x);
   SolveSummary summary = run.Finish(*x);
