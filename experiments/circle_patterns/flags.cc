@@ -28,6 +28,9 @@ const OptionTable<ProgramSettings>& SettingsTable() {
                  "all cores")
            .Between(0, 1e6)
            .About("Program"),
+       Option<S>("certificate_help", &S::certificate_help,
+                 "writes the reference of certificates, in Markdown")
+           .About("Program"),
        Option<S>("help", &S::help, "this text").About("Program")});
   return kTable;
 }

@@ -11,6 +11,7 @@ namespace cirque {
 struct ProgramSettings {
   std::string measures;  ///< as of ParseMeasureFiles
   int threads = 0;       ///< most threads; 0: as the environment has it
+  bool certificate_help = false;
   bool help = false;
 };
 

@@ -56,7 +56,7 @@ int Main(int argc, char** argv) {
     std::cout << kUsage << "\n" << flags.Help();
     return 0;
   }
-  if (flags.certificate_help()) {
+  if (flags.settings().certificate_help) {
     std::cout << CertificateReference();
     return 0;
   }

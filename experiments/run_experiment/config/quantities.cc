@@ -40,17 +40,13 @@ std::string Spaced(std::string name) {
   return name;
 }
 
-bool IsNumber(const MethodField& field) {
-  return !std::holds_alternative<std::string ParameterizeOptions::*>(field.member);
-}
-
 std::vector<Quantity> MakeQuantities() {
   std::vector<Quantity> table = OwnQuantities();
   // What runs and methods call so themselves comes first.
   std::set<std::string> names;
   for (const Quantity& quantity : table) names.insert(quantity.name);
-  for (const MethodField& field : MethodFields()) {
-    if (IsNumber(field)) names.insert(field.name);
+  for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
+    if (IsNumeric(option.kind)) names.insert(option.name);
   }
   for (const CertificateField& field : CertificateFields()) {
     if (names.insert(field.name).second) {

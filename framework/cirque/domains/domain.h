@@ -87,6 +87,11 @@ StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& reques
 /// The domains, one line each.
 const Registry<Domain>& Domains();
 
+/// The same with a table of the caller's, such as Domains().With("mine", ...).
+StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
+                                const SolveControl& control, Certificate* failed,
+                                const Registry<Domain>& domains);
+
 /// Whether some domain reads this member of a request.
 bool IsReadBySomeDomain(const std::string& option);
 
