@@ -20,7 +20,7 @@ Registry<Domain> MyDomains() {
 }
 
 TEST(AddADomain, NothingIsFlippedAndTheBoundaryIsWhereItBelongs) {
-  for (const char* name : {"hemisphere", "bumpy_terrain"}) {
+  for (const char* name : {"hemisphere", "spherical_cap"}) {
     SCOPED_TRACE(name);
     const Surface surface = GeneratedSurface(name, 400);
     const Triangulation& t = surface.triangulation;
