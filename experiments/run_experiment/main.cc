@@ -52,17 +52,17 @@ std::string Plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-StatusOr<std::vector<Cell>> Select(const ExperimentConfig& config) {
-  std::vector<Cell> cells = SelectCells(config.cells, FLAGS_only);
-  if (!cells.empty()) return cells;
+StatusOr<std::vector<PlannedRun>> Select(const ExperimentConfig& config) {
+  std::vector<PlannedRun> runs = SelectRuns(config.runs, FLAGS_only);
+  if (!runs.empty()) return runs;
   return Status::InvalidInput(
       fmt::format("--only={}: no run of {} has a name with that in it; --dry_run lists them",
                   FLAGS_only, config.path));
 }
 
-void PrintCells(const std::vector<Cell>& cells) {
-  for (const Cell& cell : cells) fmt::print("{}\n", cell.Label());
-  fmt::print("{}\n", Plural(cells.size(), "run"));
+void PrintRuns(const std::vector<PlannedRun>& runs) {
+  for (const PlannedRun& run : runs) fmt::print("{}\n", run.Label());
+  fmt::print("{}\n", Plural(runs.size(), "run"));
 }
 
 void PrintSummary(const RunSummary& summary, std::size_t selected, const std::string& file) {
@@ -97,7 +97,7 @@ StatusOr<RunnerOptions> ChooseOptions() {
   options.fresh = FLAGS_fresh;
   options.progress = stdout;
   options.stop = [] { return FLAGS_merge || IsInterrupted(); };
-  options.jobs = FLAGS_parallel_runs;
+  options.parallel_runs = FLAGS_parallel_runs;
   options.worker = {"/proc/self/exe", kWorkerArgument};
   return options;
 }
@@ -106,19 +106,19 @@ int Run(ExperimentConfig config) {
   if (!FLAGS_output.empty()) config.output = FLAGS_output;
   for (const std::string& note : config.renamed) fmt::print(stderr, "{}\n", note);
   for (const std::string& note : config.notes) fmt::print("{}\n", note);
-  const StatusOr<std::vector<Cell>> cells = Select(config);
-  if (!cells.ok()) return Refuse(cells.status());
+  const StatusOr<std::vector<PlannedRun>> runs = Select(config);
+  if (!runs.ok()) return Refuse(runs.status());
   const StatusOr<RunnerOptions> chosen = ChooseOptions();
   if (!chosen.ok()) return Refuse(chosen.status());
   const RunnerOptions& options = *chosen;
-  const std::vector<Cell> own = SelectShard(*cells, options.shard);
+  const std::vector<PlannedRun> own = SelectShard(*runs, options.shard);
   if (FLAGS_dry_run) {
-    PrintCells(own);
+    PrintRuns(own);
     return 0;
   }
   fmt::print("{}\n", config.question);
   CatchInterrupts();
-  const StatusOr<RunSummary> summary = RunExperiment(config, *cells, options, ParameterizeCell);
+  const StatusOr<RunSummary> summary = RunExperiment(config, *runs, options, ParameterizeRun);
   if (!summary.ok()) return Refuse(summary.status());
   PrintSummary(*summary, own.size(), config.output + "/" + options.shard.FileName());
   if (FLAGS_report && options.shard.IsWhole() && !summary->records.empty()) {
@@ -133,7 +133,7 @@ int Main(int argc, char** argv) {
   google::InitGoogleLogging(argv[0]);
   UseOneBlasThread();
   UseOneHeap();
-  if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeCell);
+  if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeRun);
   const StatusOr<std::vector<std::string>> arguments =
       ParseFlags(argc, argv, kSource, {}, {{"jobs", "parallel_runs"}});
   if (!arguments.ok()) return Refuse(arguments.status());

@@ -245,7 +245,7 @@ TEST(RunExperimentConfig, MissingFileAndFolderAreNamed) {
 
 std::vector<std::string> LabelsOf(const ExperimentConfig& config) {
   std::vector<std::string> labels;
-  for (const Cell& cell : config.cells) labels.push_back(cell.Label());
+  for (const PlannedRun& run : config.runs) labels.push_back(run.Label());
   return labels;
 }
 
@@ -257,14 +257,14 @@ TEST(RunExperimentConfig, ListsMakeTheCrossProduct) {
                        "repeats: 2\n"));
   const StatusOr<ExperimentConfig> config = LoadConfig(path);
   ASSERT_TRUE(config.ok()) << config.status().message();
-  EXPECT_EQ(config->cells.size(), 2u * 3 * (2 * 2 + 1) * 2);
+  EXPECT_EQ(config->runs.size(), 2u * 3 * (2 * 2 + 1) * 2);
   std::set<std::tuple<int, unsigned, double, int, int, std::string>> distinct;
-  for (const Cell& cell : config->cells) {
-    const ParameterizeOptions& options = cell.method.options;
-    distinct.emplace(cell.mesh.generator_options.triangles, cell.mesh.generator_options.seed,
-                     options.epsilon, options.max_iterations, cell.repeat, cell.method.name);
+  for (const PlannedRun& run : config->runs) {
+    const ParameterizeOptions& options = run.method.options;
+    distinct.emplace(run.mesh.generator_options.triangles, run.mesh.generator_options.seed,
+                     options.epsilon, options.max_iterations, run.repeat, run.method.name);
   }
-  EXPECT_EQ(distinct.size(), config->cells.size());
+  EXPECT_EQ(distinct.size(), config->runs.size());
   EXPECT_EQ(LabelsOf(*config)[1], "bumpy_terrain-10-s1/m,epsilon=1e-3,max_iterations=5#2");
 }
 
@@ -273,7 +273,7 @@ TEST(RunExperimentConfig, MeasuresGoToEveryRunAsOneOrAList) {
   const auto measures = [&](const std::string& rest) {
     const auto config = LoadConfig(folder.Write("a.yaml", Config(kMesh, kMethod, rest)));
     EXPECT_TRUE(config.ok()) << config.status().message();
-    return config->cells.at(0).measures;
+    return config->runs.at(0).measures;
   };
   EXPECT_TRUE(measures("").empty());
   EXPECT_THAT(measures("measures: cut_length\n"), ElementsAre("cut_length"));
@@ -307,24 +307,25 @@ TEST(RunExperimentConfig, PatternsMayMeanMeshesThatAreNotHere) {
   EXPECT_THAT(LabelsOf(*config), ElementsAre("bumpy_terrain/a"));
 }
 
-TEST(RunExperimentConfig, LimitsAndKeptMapsGoToTheCells) {
+TEST(RunExperimentConfig, LimitsAndKeptMapsGoToTheRuns) {
   const TemporaryFolder folder;
-  const auto cells = [&](const std::string& rest) {
+  const auto runs = [&](const std::string& rest) {
     const auto config = LoadConfig(
         folder.Write("a.yaml", Config(kMesh, std::string(kMethod) + "\n  - name: b", rest)));
     EXPECT_TRUE(config.ok()) << config.status().message();
-    return config->cells;
+    return config->runs;
   };
-  const std::vector<Cell> plain = cells("");
+  const std::vector<PlannedRun> plain = runs("");
   EXPECT_EQ(plain[0].limits.seconds, 0);
   EXPECT_EQ(plain[0].limits.memory_mib, 0);
   EXPECT_FALSE(plain[0].keep_map);
-  const std::vector<Cell> limited = cells("time_limit: 2.5\nmemory_limit: 300\nkeep_maps: '*/b'\n");
+  const std::vector<PlannedRun> limited =
+      runs("time_limit: 2.5\nmemory_limit: 300\nkeep_maps: '*/b'\n");
   EXPECT_EQ(limited[1].limits.seconds, 2.5);
   EXPECT_EQ(limited[1].limits.memory_mib, 300);
   EXPECT_FALSE(limited[0].keep_map);
   EXPECT_TRUE(limited[1].keep_map);
-  EXPECT_TRUE(cells("keep_maps: true\n")[0].keep_map);
+  EXPECT_TRUE(runs("keep_maps: true\n")[0].keep_map);
 }
 
 TEST(RunExperimentConfig, TheReferencePageIsUpToDate) {
@@ -356,7 +357,7 @@ TEST(RunExperimentConfig, PatternsAndPathsStartAtTheFolderThatHoldsConfigs) {
   const StatusOr<ExperimentConfig> config = LoadConfig(path);
   ASSERT_TRUE(config.ok()) << config.status().message();
   EXPECT_THAT(LabelsOf(*config), ElementsAre("a/a", "b/a"));
-  EXPECT_EQ(config->cells[0].mesh.file, folder.path() + "/project/meshes/a.obj");
+  EXPECT_EQ(config->runs[0].mesh.file, folder.path() + "/project/meshes/a.obj");
   EXPECT_EQ(config->output, folder.path() + "/project/results/runs/x");
 }
 
@@ -374,9 +375,9 @@ TEST(RunExperimentConfig, MeshesStandsForTheFolderOfTheEnvironmentOrForOneInTheP
   const StatusOr<ExperimentConfig> other = LoadConfig(path);
   before ? setenv("CIRQUE_MESHES", kept.c_str(), 1) : unsetenv("CIRQUE_MESHES");
   ASSERT_TRUE(own.ok()) << own.status().message();
-  EXPECT_EQ(own->cells[0].mesh.file, folder.path() + "/project/meshes/a.obj");
+  EXPECT_EQ(own->runs[0].mesh.file, folder.path() + "/project/meshes/a.obj");
   ASSERT_TRUE(other.ok()) << other.status().message();
-  EXPECT_EQ(other->cells[0].mesh.file, folder.path() + "/elsewhere/b.obj");
+  EXPECT_EQ(other->runs[0].mesh.file, folder.path() + "/elsewhere/b.obj");
 }
 
 TEST(RunExperimentConfig, OptionalMeshesAreSkippedWithAWord) {
@@ -395,7 +396,7 @@ TEST(RunExperimentConfig, KeysLeftOutKeepTheDefaultsOfParameterizeOptions) {
   const StatusOr<ExperimentConfig> config =
       LoadConfig(folder.Write("a.yaml", Config(kMesh, "{name: a, max_iterations: 7}")));
   ASSERT_TRUE(config.ok()) << config.status().message();
-  const ParameterizeOptions defaults, &options = config->cells[0].method.options;
+  const ParameterizeOptions defaults, &options = config->runs[0].method.options;
   EXPECT_EQ(options.max_iterations, 7);
   EXPECT_EQ(options.epsilon, defaults.epsilon);
   EXPECT_EQ(options.angle_objective, defaults.angle_objective);
@@ -413,9 +414,9 @@ TEST(RunExperimentConfig, OldWordsWorkAndSayOnceWhatTheyAreCalledNow) {
   EXPECT_THAT(LabelsOf(*config),
               ElementsAre("bumpy_terrain/a", "bumpy_terrain/b,radii_solver=newton",
                           "bumpy_terrain/b,radii_solver=newton_cg"));
-  EXPECT_EQ(config->cells[0].method.options.angle_objective, "entropy");
-  EXPECT_EQ(config->cells[0].method.options.angle_solver, "dual");
-  EXPECT_EQ(config->cells[2].method.options.radii_solver, "newton_cg");
+  EXPECT_EQ(config->runs[0].method.options.angle_objective, "entropy");
+  EXPECT_EQ(config->runs[0].method.options.angle_solver, "dual");
+  EXPECT_EQ(config->runs[2].method.options.radii_solver, "newton_cg");
   EXPECT_THAT(config->figures.dump(), HasSubstr("radii_solver"));
   EXPECT_THAT(config->renamed,
               ElementsAre(path + ":5:15: note: 'angle_fit' is called 'angle_objective' now",
@@ -447,7 +448,7 @@ TEST(RunExperimentConfig, HelpExplainsEveryKeyAndItsExampleIsAValidConfig) {
   const std::string example = help.substr(help.find("Example:\n") + 9);
   const StatusOr<ExperimentConfig> config = LoadConfig(folder.Write("a.yaml", example));
   ASSERT_TRUE(config.ok()) << config.status().message();
-  EXPECT_EQ(config->cells.size(), 4u);
+  EXPECT_EQ(config->runs.size(), 4u);
 }
 
 TEST(RunExperimentConfig, EveryShippedConfigLoadsAndAsksAQuestion) {
@@ -458,7 +459,7 @@ TEST(RunExperimentConfig, EveryShippedConfigLoadsAndAsksAQuestion) {
     const StatusOr<ExperimentConfig> config = LoadConfig(entry.path().string());
     ASSERT_TRUE(config.ok()) << config.status().message();
     EXPECT_EQ(config->question.back(), '?');
-    EXPECT_FALSE(config->cells.empty());
+    EXPECT_FALSE(config->runs.empty());
     ++count;
   }
   EXPECT_GE(count, 1);

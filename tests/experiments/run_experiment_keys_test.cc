@@ -36,7 +36,7 @@ class RunExperimentKeys : public ::testing::Test {
   }
 
   std::vector<Record> Run(const ExperimentConfig& config) {
-    const auto summary = RunExperiment(config, config.cells, {}, ParameterizeCell);
+    const auto summary = RunExperiment(config, config.runs, {}, ParameterizeRun);
     EXPECT_TRUE(summary.ok()) << summary.status().message();
     return summary.ok() ? summary->records : std::vector<Record>();
   }
@@ -46,7 +46,7 @@ class RunExperimentKeys : public ::testing::Test {
 
 std::vector<std::string> MeshNames(const ExperimentConfig& config) {
   std::vector<std::string> names;
-  for (const Cell& cell : config.cells) names.push_back(cell.mesh.name);
+  for (const PlannedRun& run : config.runs) names.push_back(run.mesh.name);
   return names;
 }
 
@@ -143,7 +143,7 @@ TEST_F(RunExperimentKeys, SeedsMakeGeneratedMeshesAnewAndFilesOnce) {
   const ExperimentConfig config =
       Load("  - generator: bumpy_terrain\n  - file: t.obj\n", "  - name: a\n", "seeds: [3, 7]\n");
   EXPECT_THAT(MeshNames(config), ElementsAre("bumpy_terrain-s3", "bumpy_terrain-s7", "t"));
-  EXPECT_EQ(config.cells[1].mesh.generator_options.seed, 7u);
+  EXPECT_EQ(config.runs[1].mesh.generator_options.seed, 7u);
   ASSERT_THAT(config.notes, SizeIs(1));
   EXPECT_THAT(config.notes[0], HasSubstr("a.yaml:4:5: run without seeds: nothing of a mesh that is "
                                          "not generated is random"));

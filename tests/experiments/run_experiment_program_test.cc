@@ -88,7 +88,7 @@ TEST(RunExperimentProgram, DryRunListsTheRunsOfEveryShippedConfigAndWritesNothin
         RunProgram("--dry_run --output=" + folder.path() + "/out " + entry.path().string());
     EXPECT_EQ(ended.status, 0) << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("/"));
-    EXPECT_THAT(ended.output, ::testing::EndsWith(" runs\n"));
+    EXPECT_THAT(ended.output, ::testing::ContainsRegex(" runs?\n$"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder.path() + "/out"));
 }

@@ -30,18 +30,18 @@ ParameterizeOptions Coarse() {
 /// A pipeline that counts its calls and answers by the generator's seed.
 class FakePipeline {
  public:
-  RunCell AsRunCell() {
-    return [this](const Cell& cell, const std::string& path) { return Answer(cell, path); };
+  RunFunction AsRunFunction() {
+    return [this](const PlannedRun& run, const std::string& path) { return Answer(run, path); };
   }
 
   int calls = 0;
   std::map<unsigned, std::string> outcome;  ///< by seed; else "ok"
 
  private:
-  RunResult Answer(const Cell& cell, const std::string& path) {
-    EXPECT_EQ(path.empty(), !cell.mesh.generator.empty());
+  RunResult Answer(const PlannedRun& run, const std::string& path) {
+    EXPECT_EQ(path.empty(), !run.mesh.generator.empty());
     ++calls;
-    const unsigned seed = cell.mesh.generator_options.seed;
+    const unsigned seed = run.mesh.generator_options.seed;
     RunResult result{7, 9, {}};
     result.certificate.outcome = outcome.contains(seed) ? outcome[seed] : "ok";
     if (result.certificate.outcome == "throw") throw std::runtime_error("out of luck");
@@ -65,12 +65,12 @@ class RunExperimentTest : public ::testing::Test {
     }
     config_.name = "test";
     config_.output = folder_.path() + "/out";
-    config_.cells = MakeCells(meshes, {{"a", {}}, {"b", Coarse()}}, 1);
+    config_.runs = PlanRuns(meshes, {{"a", {}}, {"b", Coarse()}}, 1);
   }
 
   RunSummary Run(const RunnerOptions& options = {}) {
     const StatusOr<RunSummary> summary =
-        RunExperiment(config_, config_.cells, options, fake_.AsRunCell());
+        RunExperiment(config_, config_.runs, options, fake_.AsRunFunction());
     EXPECT_TRUE(summary.ok()) << summary.status().message();
     return summary.ok() ? *summary : RunSummary();
   }
@@ -109,11 +109,11 @@ TEST_F(RunExperimentTest, FreshMakesThemAgainAndTheLastRecordHolds) {
   EXPECT_FALSE(summary.AllSettled());
 }
 
-TEST_F(RunExperimentTest, AChangeOfTheCellOrTheMeshMakesANewRun) {
-  config_.cells.resize(1);
-  config_.cells[0].mesh = {"m", folder_.Write("m.obj", "one"), "", "", "", {}};
+TEST_F(RunExperimentTest, AChangeOfTheRunOrTheMeshMakesANewRecord) {
+  config_.runs.resize(1);
+  config_.runs[0].mesh = {"m", folder_.Write("m.obj", "one"), "", "", "", {}};
   Run();
-  config_.cells[0].method.options.epsilon *= 2;
+  config_.runs[0].method.options.epsilon *= 2;
   Run();
   EXPECT_EQ(fake_.calls, 2);
   folder_.Write("m.obj", "two");
@@ -209,8 +209,9 @@ TEST_F(RunExperimentTest, InfeasibleRunsLeaveTheirCertificate) {
 }
 
 TEST_F(RunExperimentTest, AMissingMeshStopsEverythingBeforeTheFirstRun) {
-  config_.cells.back().mesh = {"gone", folder_.path() + "/gone.obj", "", "", "", {}};
-  const StatusOr<RunSummary> summary = RunExperiment(config_, config_.cells, {}, fake_.AsRunCell());
+  config_.runs.back().mesh = {"gone", folder_.path() + "/gone.obj", "", "", "", {}};
+  const StatusOr<RunSummary> summary =
+      RunExperiment(config_, config_.runs, {}, fake_.AsRunFunction());
   EXPECT_EQ(summary.status().message(),
             folder_.path() + "/gone.obj: cannot open: No such file or directory");
   EXPECT_EQ(fake_.calls, 0);
@@ -300,15 +301,15 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
   MeshSpec mesh;
   mesh.name = mesh.generator = "torus";
   mesh.generator_options.triangles = 300;
-  Cell cell = MakeCells({mesh}, {{"a", {}}}, 1)[0];
-  const auto key = [&] { return RunKey(cell, "hash", MethodJson(cell.method), "code"); };
+  PlannedRun run = PlanRuns({mesh}, {{"a", {}}}, 1)[0];
+  const auto key = [&] { return RunKey(run, "hash", MethodJson(run.method), "code"); };
   const std::string plain_key = key();
   const auto record = [&] {
-    return MakeRecord("key", cell, {}, ParameterizeCell(cell, ""), nlohmann::json::object());
+    return MakeRecord("key", run, {}, ParameterizeRun(run, ""), nlohmann::json::object());
   };
   EXPECT_FALSE(record()["values"].contains("resolution_unit_area"));
   EXPECT_THAT(ToTable({record()}), ::testing::Not(HasSubstr("resolution_unit_area")));
-  cell.measures = {"resolution_unit_area", "quasi_conformal_mean"};
+  run.measures = {"resolution_unit_area", "quasi_conformal_mean"};
   const Record measured = record();
   EXPECT_GT(measured["values"]["resolution_unit_area"], 1);
   EXPECT_NE(key(), plain_key);
@@ -324,7 +325,7 @@ TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
   for (const auto& [before, member] : kinds) {
     SCOPED_TRACE(before);
     const auto content = [&](const std::string& path) {
-      MethodSpec method = config_.cells[0].method;
+      MethodSpec method = config_.runs[0].method;
       method.options.*member = before + path;
       return MethodByContent(method);
     };
@@ -333,7 +334,7 @@ TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
     EXPECT_EQ(*content(folder_.Write("elsewhere/b.txt", "1 2 0.5\n")), first);
     folder_.Write("a.txt", "1 2 0.75\n");
     EXPECT_NE(*content(file), first);
-    EXPECT_NE(first, MethodJson(config_.cells[0].method));
+    EXPECT_NE(first, MethodJson(config_.runs[0].method));
     const std::string missing = folder_.Path("missing.txt");
     EXPECT_EQ(content(missing).status().code(), StatusCode::kInvalidInput);
     EXPECT_THAT(content(missing).status().message(), HasSubstr(missing));
@@ -341,8 +342,8 @@ TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
 }
 
 TEST_F(RunExperimentTest, AChangedFileOfCostsMakesItsRunsAgain) {
-  config_.cells.resize(1);
-  config_.cells[0].method.options.edge_costs = folder_.Write("costs.txt", "1 2 0.5\n");
+  config_.runs.resize(1);
+  config_.runs[0].method.options.edge_costs = folder_.Write("costs.txt", "1 2 0.5\n");
   EXPECT_EQ(Run().ran, 1);
   EXPECT_EQ(Run().ran, 0);
   folder_.Write("costs.txt", "1 2 3\n");
@@ -354,7 +355,7 @@ TEST_F(RunExperimentTest, ProgressInAFileIsOneLineARun) {
   ASSERT_NE(file, nullptr);
   RunnerOptions options;
   options.progress = file;
-  config_.cells.resize(2);
+  config_.runs.resize(2);
   Run(options);
   std::rewind(file);
   std::string text(4096, '\0');
@@ -364,15 +365,15 @@ TEST_F(RunExperimentTest, ProgressInAFileIsOneLineARun) {
                                           "[2/2] fake-s1/b: ok, 0.00 s; say \"hi\", twice\n"));
 }
 
-TEST(RunExperimentCells, OnlySelectsByName) {
-  const std::vector<Cell> cells =
-      MakeCells({{"lion", "l.off", "", "", "", {}}, {"tube", "t.off", "", "", "", {}}},
-                {{"a", {}}, {"b", {}}}, 2);
-  ASSERT_EQ(cells.size(), 8u);
+TEST(RunExperimentPlannedRuns, OnlySelectsByName) {
+  const std::vector<PlannedRun> runs =
+      PlanRuns({{"lion", "l.off", "", "", "", {}}, {"tube", "t.off", "", "", "", {}}},
+               {{"a", {}}, {"b", {}}}, 2);
+  ASSERT_EQ(runs.size(), 8u);
   std::vector<std::string> labels;
-  for (const Cell& cell : SelectCells(cells, "tube/b")) labels.push_back(cell.Label());
+  for (const PlannedRun& run : SelectRuns(runs, "tube/b")) labels.push_back(run.Label());
   EXPECT_THAT(labels, ElementsAre("tube/b", "tube/b#2"));
-  EXPECT_TRUE(SelectCells(cells, "cone").empty());
+  EXPECT_TRUE(SelectRuns(runs, "cone").empty());
 }
 
 }  // namespace

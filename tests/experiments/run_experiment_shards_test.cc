@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::vector<Cell> ManyCells() {
+std::vector<PlannedRun> ManyRuns() {
   std::vector<MeshSpec> meshes;
   for (unsigned seed = 1; seed <= 8; ++seed) {
     MeshSpec mesh;
@@ -23,27 +23,27 @@ std::vector<Cell> ManyCells() {
     mesh.generator_options.seed = seed;
     meshes.push_back(mesh);
   }
-  return MakeCells(meshes, {{"a", {}}, {"b", {}}, {"c", {}}}, 2);
+  return PlanRuns(meshes, {{"a", {}}, {"b", {}}, {"c", {}}}, 2);
 }
 
-TEST(RunExperimentShards, EveryCellIsInOneShardAndTheyAreEven) {
-  const std::vector<Cell> cells = ManyCells();
+TEST(RunExperimentShards, EveryRunIsInOneShardAndTheyAreEven) {
+  const std::vector<PlannedRun> runs = ManyRuns();
   for (const int count : {1, 2, 3, 7, 48, 60}) {
     std::multiset<std::string> seen;
     for (int i = 1; i <= count; ++i) {
-      const std::vector<Cell> own = SelectShard(cells, {i, count});
-      EXPECT_LE(own.size(), cells.size() / count + 1);
-      for (const Cell& cell : own) seen.insert(cell.Label());
+      const std::vector<PlannedRun> own = SelectShard(runs, {i, count});
+      EXPECT_LE(own.size(), runs.size() / count + 1);
+      for (const PlannedRun& run : own) seen.insert(run.Label());
     }
-    EXPECT_EQ(seen.size(), cells.size());
-    EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), cells.size());
+    EXPECT_EQ(seen.size(), runs.size());
+    EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), runs.size());
   }
 }
 
 TEST(RunExperimentShards, SlowMethodsAreSpread) {
   for (int i = 1; i <= 3; ++i) {
     std::map<std::string, int> methods;
-    for (const Cell& cell : SelectShard(ManyCells(), {i, 3})) ++methods[cell.method.name];
+    for (const PlannedRun& run : SelectShard(ManyRuns(), {i, 3})) ++methods[run.method.name];
     EXPECT_EQ(methods.size(), 3u);
   }
 }
@@ -66,19 +66,19 @@ class RunExperimentShardFiles : public ::testing::Test {
   RunExperimentShardFiles() {
     config_.name = "test";
     config_.output = folder_.path() + "/out";
-    config_.cells = ManyCells();
+    config_.runs = ManyRuns();
   }
 
   RunSummary Run(const Shard& shard, const std::string& outcome = "ok") {
     const RunnerOptions options{.shard = shard};
-    const auto summary = RunExperiment(config_, config_.cells, options,
-                                       [&](const Cell& cell, const std::string& /*path*/) {
-                                         ++calls_;
-                                         RunResult result;
-                                         result.certificate.outcome = outcome;
-                                         result.figures["seed"] = cell.mesh.generator_options.seed;
-                                         return result;
-                                       });
+    const auto summary = RunExperiment(
+        config_, config_.runs, options, [&](const PlannedRun& run, const std::string& /*path*/) {
+          ++calls_;
+          RunResult result;
+          result.certificate.outcome = outcome;
+          result.figures["seed"] = run.mesh.generator_options.seed;
+          return result;
+        });
     EXPECT_TRUE(summary.ok()) << summary.status().message();
     return summary.ok() ? *summary : RunSummary();
   }
@@ -131,7 +131,7 @@ TEST_F(RunExperimentShardFiles, TheWholeRunMakesWhatTheShardsLeft) {
 }
 
 TEST_F(RunExperimentShardFiles, TheLaterRecordHoldsWhicheverFileItIsIn) {
-  config_.cells.resize(1);
+  config_.runs.resize(1);
   const Record record = Run({}).records.at(0);
   const auto variant = [&](const std::string& started, const std::string& message) {
     Record changed = record;

@@ -36,20 +36,20 @@ class RunExperimentWorkers : public ::testing::Test {
   RunExperimentWorkers() {
     config_.name = "test";
     config_.output = folder_.path() + "/out";
-    config_.cells =
-        MakeCells({Generated("bumpy_terrain", 100), Generated("torus", 400)}, {{"a", {}}}, 2);
-    options_.jobs = 2;
+    config_.runs =
+        PlanRuns({Generated("bumpy_terrain", 100), Generated("torus", 400)}, {{"a", {}}}, 2);
+    options_.parallel_runs = 2;
     options_.worker = {ProgramFolder() + "/run_experiment", "--worker"};
   }
 
   RunSummary Run() {
-    const auto summary = RunExperiment(config_, config_.cells, options_, ParameterizeCell);
+    const auto summary = RunExperiment(config_, config_.runs, options_, ParameterizeRun);
     EXPECT_TRUE(summary.ok()) << summary.status().message();
     return summary.ok() ? *summary : RunSummary();
   }
 
   Record RunOne() {
-    config_.cells.resize(1);
+    config_.runs.resize(1);
     const RunSummary summary = Run();
     EXPECT_EQ(summary.records.size(), 1u);
     return summary.records.empty() ? Record() : summary.records[0];
@@ -61,10 +61,10 @@ class RunExperimentWorkers : public ::testing::Test {
 };
 
 TEST_F(RunExperimentWorkers, RecordWhatARunInThisProcessRecords) {
-  config_.cells[0].measures = {"cut_length"};
+  config_.runs[0].measures = {"cut_length"};
   const RunSummary apart = Run();
   EXPECT_TRUE(apart.AllSettled());
-  options_.jobs = 0;
+  options_.parallel_runs = 0;
   config_.output = folder_.path() + "/here";
   const RunSummary here = Run();
   ASSERT_EQ(apart.records.size(), 4u);
@@ -121,7 +121,7 @@ TEST_F(RunExperimentWorkers, AnythingButTheRunsOwnRecordIsACrash) {
 }
 
 TEST_F(RunExperimentWorkers, TheTimeLimitEndsARunAndAHigherOneMakesItAgain) {
-  config_.cells[0].limits.seconds = 0.1;
+  config_.runs[0].limits.seconds = 0.1;
   options_.worker = Shell("sleep 60");
   const auto begin = std::chrono::steady_clock::now();
   const Record record = RunOne();
@@ -130,28 +130,28 @@ TEST_F(RunExperimentWorkers, TheTimeLimitEndsARunAndAHigherOneMakesItAgain) {
   EXPECT_EQ(record["message"], "ended at its limit of 0.1 s");
   EXPECT_GE(record["seconds"]["total"], 0.1);
   EXPECT_EQ(Run().ran, 0);
-  config_.cells[0].limits.seconds = 0.2;
+  config_.runs[0].limits.seconds = 0.2;
   EXPECT_EQ(Run().ran, 1);
   EXPECT_EQ(Run().ran, 0);
-  config_.cells[0].limits.seconds = 0;
+  config_.runs[0].limits.seconds = 0;
   options_.worker = {ProgramFolder() + "/run_experiment", "--worker"};
   EXPECT_EQ(RunOne()["outcome"], "ok");
 }
 
 TEST_F(RunExperimentWorkers, TheMemoryLimitEndsARunAndAHigherOneMakesItAgain) {
-  config_.cells[0].limits.memory_mib = 2;
+  config_.runs[0].limits.memory_mib = 2;
   const Record record = RunOne();
   EXPECT_EQ(record["outcome"], "memory_limit");
   EXPECT_THAT(record["message"].get<std::string>(),
               AllOf(HasSubstr("ended at "), HasSubstr(" MiB, its limit is 2 MiB")));
   EXPECT_GT(record["peak_memory_mib"], 2);
-  config_.cells[0].limits.memory_mib = 4000;
+  config_.runs[0].limits.memory_mib = 4000;
   EXPECT_EQ(RunOne()["outcome"], "ok");
   EXPECT_EQ(Run().ran, 0);
 }
 
 TEST_F(RunExperimentWorkers, KeptMapsAreTheMeshWithItsMap) {
-  config_.cells[0].keep_map = true;
+  config_.runs[0].keep_map = true;
   const Record record = Run().records[0];
   const std::string key = record["key"];
   ASSERT_EQ(record["map"], "maps/" + key + ".obj");
@@ -166,7 +166,7 @@ TEST_F(RunExperimentWorkers, KeptMapsAreTheMeshWithItsMap) {
 
 TEST_F(RunExperimentWorkers, ARunWhoseMapIsMissingIsMadeAgain) {
   EXPECT_FALSE(RunOne().contains("map"));
-  config_.cells[0].keep_map = true;
+  config_.runs[0].keep_map = true;
   const Record record = RunOne();
   ASSERT_TRUE(record.contains("map"));
   EXPECT_EQ(Run().ran, 0);
@@ -184,40 +184,40 @@ TEST_F(RunExperimentWorkers, StoppingEndsWhatGoesOnAndLeavesNoRecordOfIt) {
   EXPECT_TRUE(summary.records.empty());
 }
 
-TEST(RunExperimentJobs, KeepTheirBytesAndDigits) {
-  Cell cell = MakeCells({Generated("torus", 7)}, {{"m,epsilon=1", {}}}, 3)[2];
-  cell.mesh.file = "/a/\xff\xfe.obj";
-  cell.mesh.known_boundary = true;
-  cell.mesh.generator_options.seed = 4294967295u;
-  cell.method.options.epsilon = 0.1 + 0.2;
-  cell.method.options.radii_solver = "newton_cg";
-  cell.method.domain = "disk";
-  cell.mesh.family = "torus";
-  cell.mesh.subdivisions = 3;
-  cell.reference = true;
-  cell.measures = {"cut_length"};
-  cell.limits = {1.0 / 3, 1e-300};
-  cell.keep_map = true;
-  const StatusOr<Job> job =
-      UnpackJob(PackJob({"key", cell, {"/b/\x80", "hash"}, "/c", {{"code", "x"}}}));
-  ASSERT_TRUE(job.ok()) << job.status().message();
-  EXPECT_EQ(job->cell.Label(), "torus-7/m,epsilon=1#3");
-  EXPECT_EQ(job->cell.mesh.file, cell.mesh.file);
-  EXPECT_EQ(job->cell.mesh.generator_options.seed, 4294967295u);
-  EXPECT_TRUE(job->cell.mesh.known_boundary);
-  EXPECT_EQ(MethodJson(job->cell.method), MethodJson(cell.method));
-  EXPECT_EQ(job->cell.measures, cell.measures);
-  EXPECT_EQ(job->cell.limits.seconds, 1.0 / 3);
-  EXPECT_EQ(job->cell.limits.memory_mib, 1e-300);
-  EXPECT_TRUE(job->cell.keep_map);
-  EXPECT_TRUE(job->cell.reference);
-  EXPECT_EQ(job->cell.mesh.subdivisions, 3);
-  EXPECT_EQ(job->cell.mesh.family, "torus");
-  EXPECT_EQ(job->cell.method.domain, "disk");
-  EXPECT_EQ(job->mesh.path, "/b/\x80");
-  EXPECT_EQ(job->folder, "/c");
-  EXPECT_EQ(job->provenance["code"], "x");
-  EXPECT_FALSE(UnpackJob("nonsense").ok());
+TEST(RunExperimentReadyRuns, KeepTheirBytesAndDigits) {
+  PlannedRun run = PlanRuns({Generated("torus", 7)}, {{"m,epsilon=1", {}}}, 3)[2];
+  run.mesh.file = "/a/\xff\xfe.obj";
+  run.mesh.known_boundary = true;
+  run.mesh.generator_options.seed = 4294967295u;
+  run.method.options.epsilon = 0.1 + 0.2;
+  run.method.options.radii_solver = "newton_cg";
+  run.method.domain = "disk";
+  run.mesh.family = "torus";
+  run.mesh.subdivisions = 3;
+  run.reference = true;
+  run.measures = {"cut_length"};
+  run.limits = {1.0 / 3, 1e-300};
+  run.keep_map = true;
+  const StatusOr<ReadyRun> ready =
+      UnpackRun(PackRun({"key", run, {"/b/\x80", "hash"}, "/c", {{"code", "x"}}}));
+  ASSERT_TRUE(ready.ok()) << ready.status().message();
+  EXPECT_EQ(ready->run.Label(), "torus-7/m,epsilon=1#3");
+  EXPECT_EQ(ready->run.mesh.file, run.mesh.file);
+  EXPECT_EQ(ready->run.mesh.generator_options.seed, 4294967295u);
+  EXPECT_TRUE(ready->run.mesh.known_boundary);
+  EXPECT_EQ(MethodJson(ready->run.method), MethodJson(run.method));
+  EXPECT_EQ(ready->run.measures, run.measures);
+  EXPECT_EQ(ready->run.limits.seconds, 1.0 / 3);
+  EXPECT_EQ(ready->run.limits.memory_mib, 1e-300);
+  EXPECT_TRUE(ready->run.keep_map);
+  EXPECT_TRUE(ready->run.reference);
+  EXPECT_EQ(ready->run.mesh.subdivisions, 3);
+  EXPECT_EQ(ready->run.mesh.family, "torus");
+  EXPECT_EQ(ready->run.method.domain, "disk");
+  EXPECT_EQ(ready->mesh.path, "/b/\x80");
+  EXPECT_EQ(ready->folder, "/c");
+  EXPECT_EQ(ready->provenance["code"], "x");
+  EXPECT_FALSE(UnpackRun("nonsense").ok());
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "experiments/run_experiment/config/cell_settings.h"
 #include "experiments/run_experiment/config/content_hash.h"
 #include "experiments/run_experiment/config/diagnostics.h"
 #include "experiments/run_experiment/config/figure_entries.h"
 #include "experiments/run_experiment/config/matrix.h"
 #include "experiments/run_experiment/config/mesh_entries.h"
 #include "experiments/run_experiment/config/method_entries.h"
+#include "experiments/run_experiment/config/run_settings.h"
 #include "experiments/run_experiment/config/scalars.h"
 #include "experiments/run_experiment/config/validate.h"
 
@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Beyond this, a list of values is more likely a slip than a study.
-constexpr double kMaxCells = 100000;
+constexpr double kMaxRuns = 100000;
 
 /// The folder that holds configs/, or the config's own folder when it lies elsewhere.
 std::string RootOf(const std::string& path) {
@@ -57,11 +57,11 @@ bool IsExpandable(const YAML::Node& document, Diagnostics* problems) {
     for (const YAML::Node& entry : entries) {
       if (!entry.IsMap()) continue;
       const double count = CountCombinations(AxesOf(entry, ConfigSchema(), list));
-      if (count > kMaxCells) {
+      if (count > kMaxRuns) {
         expandable = false;
         problems->Add(PlaceOf(entry), fmt::format("this entry makes {} combinations; at most {} "
                                                   "are allowed",
-                                                  count, kMaxCells));
+                                                  count, kMaxRuns));
       }
     }
   }
@@ -96,15 +96,15 @@ std::vector<std::string> ReadSeeds(const YAML::Node& value, const YAML::Node& me
   return seeds;
 }
 
-void CheckCells(const ExperimentConfig& config, Diagnostics* problems) {
-  if (config.cells.empty()) {
+void CheckRuns(const ExperimentConfig& config, Diagnostics* problems) {
+  if (config.runs.empty()) {
     problems->Add({}, "nothing to run: every mesh was skipped");
   }
   std::set<std::string> labels;
-  for (const Cell& cell : config.cells) {
-    if (!labels.insert(cell.Label()).second) {
-      problems->Add(
-          {}, fmt::format("two runs are called '{}'; is a value listed twice?", cell.Label()));
+  for (const PlannedRun& run : config.runs) {
+    if (!labels.insert(run.Label()).second) {
+      problems->Add({},
+                    fmt::format("two runs are called '{}'; is a value listed twice?", run.Label()));
     }
   }
 }
@@ -118,16 +118,16 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   const std::vector<MethodSpec> methods = ReadMethods(document["methods"], problems);
   const int repeats = static_cast<int>(*ParseInteger(TextOr(document, "repeats", "1")));
   const double count = static_cast<double>(entries.meshes.size() * methods.size()) * repeats;
-  if (count > kMaxCells) {
-    return problems->Add({}, fmt::format("{} runs; at most {} are allowed", count, kMaxCells));
+  if (count > kMaxRuns) {
+    return problems->Add({}, fmt::format("{} runs; at most {} are allowed", count, kMaxRuns));
   }
   config->question = document["question"].Scalar();
   config->notes = std::move(entries.notes);
-  config->cells = MakeCells(entries.meshes, methods, repeats);
+  config->runs = PlanRuns(entries.meshes, methods, repeats);
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();
-  if (problems->empty()) CheckCells(*config, problems);
-  if (problems->empty()) ApplyCellSettings(document, entries.some_skipped, problems, config);
+  if (problems->empty()) CheckRuns(*config, problems);
+  if (problems->empty()) ApplyRunSettings(document, entries.some_skipped, problems, config);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "cirque/core/status.h"
 
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 namespace cirque {
 
@@ -17,7 +17,7 @@ struct ExperimentConfig {
   std::string name;  ///< of the file, without folder and extension
   std::string hash;  ///< of the file's content
   std::string question;
-  std::vector<Cell> cells;
+  std::vector<PlannedRun> runs;
   nlohmann::json figures = nlohmann::json::array();  ///< as ReadFigures makes them
   std::string output;                                ///< absolute folder
   std::vector<std::string> notes;                    ///< what was left out, and why

@@ -4,8 +4,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "experiments/run_experiment/config/cells.h"
 #include "experiments/run_experiment/config/diagnostics.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 namespace cirque {
 

@@ -7,7 +7,7 @@
 #include "cirque/generators/generators.h"
 #include "cirque/metrics/measure_map.h"
 
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 #include "experiments/run_experiment/config/quantities.h"
 
 namespace cirque {

@@ -34,17 +34,17 @@ StatusOr<Shard> ParseShard(const std::string& text) {
       "--shard={}: expected i/n with i from 1 to n, n at most {}, e.g. 2/8", text, kMaxShards));
 }
 
-std::vector<Cell> SelectShard(const std::vector<Cell>& cells, const Shard& shard) {
+std::vector<PlannedRun> SelectShard(const std::vector<PlannedRun>& runs, const Shard& shard) {
   std::vector<std::pair<std::string, std::size_t>> shuffled;
-  for (std::size_t i = 0; i < cells.size(); ++i) shuffled.emplace_back(HashOf(cells[i].Label()), i);
+  for (std::size_t i = 0; i < runs.size(); ++i) shuffled.emplace_back(HashOf(runs[i].Label()), i);
   std::sort(shuffled.begin(), shuffled.end());
   std::vector<std::size_t> own;
   for (std::size_t i = shard.index - 1; i < shuffled.size(); i += shard.count) {
     own.push_back(shuffled[i].second);
   }
   std::sort(own.begin(), own.end());
-  std::vector<Cell> selected;
-  for (const std::size_t i : own) selected.push_back(cells[i]);
+  std::vector<PlannedRun> selected;
+  for (const std::size_t i : own) selected.push_back(runs[i]);
   return selected;
 }
 

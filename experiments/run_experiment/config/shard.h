@@ -5,7 +5,7 @@
 
 #include "cirque/core/status.h"
 
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 namespace cirque {
 
@@ -21,8 +21,8 @@ struct Shard {
 /// Reads "2/8".
 StatusOr<Shard> ParseShard(const std::string& text);
 
-/// The shard's cells in their order. Together the shards have every cell once; which cell goes
+/// The shard's runs in their order. Together the shards have every run once; which run goes
 /// where hangs on its name alone, so that slow methods and large meshes are spread.
-std::vector<Cell> SelectShard(const std::vector<Cell>& cells, const Shard& shard);
+std::vector<PlannedRun> SelectShard(const std::vector<PlannedRun>& runs, const Shard& shard);
 
 }  // namespace cirque

@@ -4,7 +4,7 @@
 
 #include "cirque/core/status.h"
 
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 namespace cirque {
 

@@ -59,32 +59,32 @@ nlohmann::json MethodJson(const MethodSpec& method) {
   return json;
 }
 
-std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
-                   const std::string& code_version) {
-  nlohmann::json determined_by = {{"mesh", cell.mesh.name},
+std::string RunKey(const PlannedRun& run, const std::string& mesh_hash,
+                   const nlohmann::json& method, const std::string& code_version) {
+  nlohmann::json determined_by = {{"mesh", run.mesh.name},
                                   {"mesh_hash", mesh_hash},
                                   {"method", method},
-                                  {"repeat", cell.repeat},
+                                  {"repeat", run.repeat},
                                   {"code", code_version}};
-  if (!cell.measures.empty()) determined_by["measures"] = cell.measures;
-  if (cell.mesh.subdivisions > 0) determined_by["subdivisions"] = cell.mesh.subdivisions;
-  if (cell.reference) determined_by["reference"] = true;
+  if (!run.measures.empty()) determined_by["measures"] = run.measures;
+  if (run.mesh.subdivisions > 0) determined_by["subdivisions"] = run.mesh.subdivisions;
+  if (run.reference) determined_by["reference"] = true;
   return HashOf(ToLine(determined_by));
 }
 
-Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMesh& mesh,
                   const RunResult& result, const nlohmann::json& provenance) {
   Record record = {
       {"key", key},
       {"mesh",
-       {{"name", cell.mesh.name},
-        {"family", cell.mesh.family},
-        {"source", cell.mesh.Source()},
+       {{"name", run.mesh.name},
+        {"family", run.mesh.family},
+        {"source", run.mesh.Source()},
         {"hash", mesh.hash},
         {"vertices", result.vertices},
         {"triangles", result.triangles}}},
-      {"method", MethodJson(cell.method)},
-      {"repeat", cell.repeat},
+      {"method", MethodJson(run.method)},
+      {"repeat", run.repeat},
       {"outcome", result.certificate.outcome},
       {"message", result.certificate.message},
       {"overlap", result.certificate.overlap},
@@ -92,13 +92,13 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
       {"seconds", NumbersJson(SecondsOf(result.certificate))},
       {"provenance", provenance},
   };
-  if (!cell.measures.empty()) record["measures"] = cell.measures;
+  if (!run.measures.empty()) record["measures"] = run.measures;
   if (result.cpu_seconds > 0) {
     record["cpu_seconds"] = result.cpu_seconds;
     record["map_cpu_seconds"] = result.map_cpu_seconds;
   }
   if (result.peak_memory_mib > 0) record["peak_memory_mib"] = result.peak_memory_mib;
-  if (cell.reference && result.reference.seconds > 0) {
+  if (run.reference && result.reference.seconds > 0) {
     record["reference"] = {{"seconds", result.reference.seconds},
                            {"cpu_seconds", result.reference.cpu_seconds}};
   }
@@ -107,7 +107,7 @@ Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& m
     record["history"]["angles"] = NumbersJson(certificate.angle_fit->gradients);
   }
   if (certificate.radii) record["history"]["radii"] = NumbersJson(certificate.radii->gradients);
-  if (const auto limits = LimitsJson(cell.limits); !limits.empty()) record["limits"] = limits;
+  if (const auto limits = LimitsJson(run.limits); !limits.empty()) record["limits"] = limits;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));
 }
@@ -118,11 +118,11 @@ std::string ToLine(const Record& record) {
 
 std::string OutcomeOf(const Record& record) { return record.value("outcome", ""); }
 
-bool IsFinished(const Record& record, const Cell& cell) {
+bool IsFinished(const Record& record, const PlannedRun& run) {
   const std::string outcome = OutcomeOf(record);
-  if (outcome == kTimeLimit) return !IsRaised(record, "seconds", cell.limits.seconds);
-  if (outcome == kMemoryLimit) return !IsRaised(record, "memory_mib", cell.limits.memory_mib);
-  if (outcome == ToString(StatusCode::kOk) && cell.keep_map) return record.contains("map");
+  if (outcome == kTimeLimit) return !IsRaised(record, "seconds", run.limits.seconds);
+  if (outcome == kMemoryLimit) return !IsRaised(record, "memory_mib", run.limits.memory_mib);
+  if (outcome == ToString(StatusCode::kOk) && run.keep_map) return record.contains("map");
   return outcome != ToString(StatusCode::kCancelled);
 }
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/run_experiment/run/carry_out.h"
 #include "experiments/run_experiment/run/mesh_files.h"
-#include "experiments/run_experiment/run/run_cell.h"
 
 namespace cirque {
 
@@ -17,16 +17,16 @@ inline constexpr char kException[] = "exception", kCrash[] = "crash", kTimeLimit
 /// One run as one self-contained object of results.jsonl.
 using Record = nlohmann::json;
 
-/// The cell's method with every option, as records and keys hold it.
+/// The run's method with every option, as records and keys hold it.
 nlohmann::json MethodJson(const MethodSpec& method);
 
-/// Names a run by all that determines it: cell, content of the mesh, method as of MethodByContent,
+/// Names a record by all that determines it: the run, content of the mesh, method as of MethodByContent,
 /// code.
-std::string RunKey(const Cell& cell, const std::string& mesh_hash, const nlohmann::json& method,
-                   const std::string& code_version);
+std::string RunKey(const PlannedRun& run, const std::string& mesh_hash,
+                   const nlohmann::json& method, const std::string& code_version);
 
 /// Numbers that a run did not come to are null.
-Record MakeRecord(const std::string& key, const Cell& cell, const LocatedMesh& mesh,
+Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMesh& mesh,
                   const RunResult& result, const nlohmann::json& provenance);
 
 /// One line, whatever bytes the messages hold.
@@ -35,8 +35,8 @@ std::string ToLine(const Record& record);
 std::string OutcomeOf(const Record& record);
 
 /// Whether the run need not be made again: it was not cancelled, was not ended by a lower limit
-/// than the cell's, and left its map where the cell keeps it.
-bool IsFinished(const Record& record, const Cell& cell);
+/// than the run's, and left its map where the run keeps it.
+bool IsFinished(const Record& record, const PlannedRun& run);
 
 /// Whether the run ended as it should: in a map, or in the proof that there is none.
 bool IsSettled(const Record& record);

@@ -11,9 +11,9 @@
 #include "experiments/run_experiment/results/method_content.h"
 #include "experiments/run_experiment/results/provenance.h"
 #include "experiments/run_experiment/results/results_log.h"
-#include "experiments/run_experiment/run/job.h"
 #include "experiments/run_experiment/run/mesh_files.h"
 #include "experiments/run_experiment/run/progress.h"
+#include "experiments/run_experiment/run/ready_run.h"
 #include "experiments/run_experiment/run/worker_pool.h"
 
 namespace cirque {
@@ -22,73 +22,74 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reads every file, so that nothing has been run when one of them turns out to be missing.
-StatusOr<std::vector<Job>> Plan(const std::vector<Cell>& cells, const std::string& folder,
-                                const nlohmann::json& provenance) {
+StatusOr<std::vector<ReadyRun>> Plan(const std::vector<PlannedRun>& runs, const std::string& folder,
+                                     const nlohmann::json& provenance) {
   std::map<std::string, LocatedMesh> located;
-  std::vector<Job> plan;
-  for (const Cell& cell : cells) {
-    if (!located.contains(cell.mesh.name)) {
+  std::vector<ReadyRun> plan;
+  for (const PlannedRun& run : runs) {
+    if (!located.contains(run.mesh.name)) {
       const StatusOr<LocatedMesh> mesh =
-          LocateMesh(cell.mesh, (fs::path(folder) / "meshes").string());
+          LocateMesh(run.mesh, (fs::path(folder) / "meshes").string());
       if (!mesh.ok()) return mesh.status();
-      located[cell.mesh.name] = *mesh;
+      located[run.mesh.name] = *mesh;
     }
-    const LocatedMesh& mesh = located[cell.mesh.name];
-    const StatusOr<nlohmann::json> method = MethodByContent(cell.method);
+    const LocatedMesh& mesh = located[run.mesh.name];
+    const StatusOr<nlohmann::json> method = MethodByContent(run.method);
     if (!method.ok()) return method.status();
-    const std::string key = RunKey(cell, mesh.hash, *method, provenance["code"]);
-    plan.push_back({key, cell, mesh, folder, provenance});
+    const std::string key = RunKey(run, mesh.hash, *method, provenance["code"]);
+    plan.push_back({key, run, mesh, folder, provenance});
   }
   return plan;
 }
 
 /// A run that was begun without the map kept, or whose map was removed, has to be made again.
-bool IsComplete(const Job& job, const Record& record) {
+bool IsComplete(const ReadyRun& ready, const Record& record) {
   std::error_code error;
-  return IsFinished(record, job.cell) &&
-         (!job.cell.keep_map || !record.contains("map") ||
-          fs::exists(fs::path(job.folder) / record["map"].get<std::string>(), error));
+  return IsFinished(record, ready.run) &&
+         (!ready.run.keep_map || !record.contains("map") ||
+          fs::exists(fs::path(ready.folder) / record["map"].get<std::string>(), error));
 }
 
 class Runner {
  public:
-  Runner(const RunnerOptions& options, const RunCell& run_cell, ResultsLog* log, Progress* progress)
-      : options_(options), run_cell_(run_cell), log_(*log), progress_(*progress) {}
+  Runner(const RunnerOptions& options, const RunFunction& carry_out, ResultsLog* log,
+         Progress* progress)
+      : options_(options), carry_out_(carry_out), log_(*log), progress_(*progress) {}
 
   /// Makes the runs, one after the other or side by side.
-  Status Run(const std::vector<Job>& jobs) {
-    return options_.jobs == 0 ? RunHere(jobs) : RunInProcesses(jobs);
+  Status Run(const std::vector<ReadyRun>& ready_runs) {
+    return options_.parallel_runs == 0 ? RunHere(ready_runs) : RunInProcesses(ready_runs);
   }
   int ran() const { return ran_; }
 
  private:
-  Status RunHere(const std::vector<Job>& jobs);
-  Status RunInProcesses(const std::vector<Job>& jobs);
-  Job Begin(Job job) const;
+  Status RunHere(const std::vector<ReadyRun>& ready_runs);
+  Status RunInProcesses(const std::vector<ReadyRun>& ready_runs);
+  ReadyRun Begin(ReadyRun ready) const;
   Status Keep(const EndedRun& run);
 
   const RunnerOptions& options_;
-  const RunCell& run_cell_;
+  const RunFunction& carry_out_;
   ResultsLog& log_;
   Progress& progress_;
   int ran_ = 0;
 };
 
-Status Runner::RunHere(const std::vector<Job>& jobs) {
-  for (const Job& job : jobs) {
+Status Runner::RunHere(const std::vector<ReadyRun>& ready_runs) {
+  for (const ReadyRun& ready : ready_runs) {
     if (options_.stop()) break;
-    StatusOr<Record> record = CarryOut(Begin(job), run_cell_);
+    StatusOr<Record> record = CarryOut(Begin(ready), carry_out_);
     if (!record.ok()) return record.status();
-    if (Status s = Keep({job.cell.Label(), *std::move(record)}); !s.ok()) return s;
+    if (Status s = Keep({ready.run.Label(), *std::move(record)}); !s.ok()) return s;
   }
   return Status();
 }
 
-Status Runner::RunInProcesses(const std::vector<Job>& jobs) {
-  WorkerPool pool(options_.jobs, options_.worker);
-  auto next = jobs.begin();
-  while ((next != jobs.end() || !pool.is_idle()) && !options_.stop()) {
-    while (next != jobs.end() && pool.has_room()) {
+Status Runner::RunInProcesses(const std::vector<ReadyRun>& ready_runs) {
+  WorkerPool pool(options_.parallel_runs, options_.worker);
+  auto next = ready_runs.begin();
+  while ((next != ready_runs.end() || !pool.is_idle()) && !options_.stop()) {
+    while (next != ready_runs.end() && pool.has_room()) {
       if (Status status = pool.Start(Begin(*next++)); !status.ok()) return status;
     }
     for (const EndedRun& run : pool.TakeEnded()) {
@@ -98,10 +99,10 @@ Status Runner::RunInProcesses(const std::vector<Job>& jobs) {
   return Status();
 }
 
-Job Runner::Begin(Job job) const {
-  progress_.Start(job.cell.Label());
-  job.provenance["started"] = UtcNow();
-  return job;
+ReadyRun Runner::Begin(ReadyRun ready) const {
+  progress_.Start(ready.run.Label());
+  ready.provenance["started"] = UtcNow();
+  return ready;
 }
 
 Status Runner::Keep(const EndedRun& run) {
@@ -111,21 +112,21 @@ Status Runner::Keep(const EndedRun& run) {
   return Status();
 }
 
-RunSummary Summarize(const std::vector<Job>& plan, const ResultsLog& log) {
+RunSummary Summarize(const std::vector<ReadyRun>& plan, const ResultsLog& log) {
   RunSummary summary;
   summary.skipped_lines = log.skipped_lines();
-  for (const Job& job : plan) {
-    if (const Record* record = log.Find(job.key)) summary.records.push_back(*record);
+  for (const ReadyRun& ready : plan) {
+    if (const Record* record = log.Find(ready.key)) summary.records.push_back(*record);
   }
   return summary;
 }
 
 /// What the log does not hold yet.
-std::vector<Job> Left(const std::vector<Job>& plan, const ResultsLog& log, bool fresh) {
-  std::vector<Job> left;
-  std::copy_if(plan.begin(), plan.end(), std::back_inserter(left), [&](const Job& job) {
-    const Record* record = log.Find(job.key);
-    return fresh || record == nullptr || !IsComplete(job, *record);
+std::vector<ReadyRun> Left(const std::vector<ReadyRun>& plan, const ResultsLog& log, bool fresh) {
+  std::vector<ReadyRun> left;
+  std::copy_if(plan.begin(), plan.end(), std::back_inserter(left), [&](const ReadyRun& ready) {
+    const Record* record = log.Find(ready.key);
+    return fresh || record == nullptr || !IsComplete(ready, *record);
   });
   return left;
 }
@@ -136,11 +137,12 @@ bool RunSummary::AllSettled() const {
   return !stopped && std::all_of(records.begin(), records.end(), IsSettled);
 }
 
-StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::vector<Cell>& cells,
-                                   const RunnerOptions& options, const RunCell& run_cell) {
+StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config,
+                                   const std::vector<PlannedRun>& runs,
+                                   const RunnerOptions& options, const RunFunction& carry_out) {
   const fs::path folder = config.output;
-  const StatusOr<std::vector<Job>> plan =
-      Plan(SelectShard(cells, options.shard), folder.string(), Provenance(config));
+  const StatusOr<std::vector<ReadyRun>> plan =
+      Plan(SelectShard(runs, options.shard), folder.string(), Provenance(config));
   if (!plan.ok()) return plan.status();
   std::error_code error;
   fs::create_directories(folder, error);
@@ -153,10 +155,10 @@ StatusOr<RunSummary> RunExperiment(const ExperimentConfig& config, const std::ve
   const bool is_whole = options.shard.IsWhole();
   if (Status s = is_whole ? log->Merge() : Status(); !s.ok()) return s;
 
-  const std::vector<Job> left = Left(*plan, *log, options.fresh);
+  const std::vector<ReadyRun> left = Left(*plan, *log, options.fresh);
   Progress progress(options.progress, static_cast<int>(plan->size()),
                     static_cast<int>(plan->size() - left.size()));
-  Runner runner(options, run_cell, &*log, &progress);
+  Runner runner(options, carry_out, &*log, &progress);
   if (Status s = runner.Run(left); !s.ok()) return s;
   RunSummary summary = Summarize(*plan, *log);
   summary.ran = runner.ran();

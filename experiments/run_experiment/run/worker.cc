@@ -23,16 +23,16 @@ std::string ReadStandardInput() {
 
 }  // namespace
 
-int RunWorker(const RunCell& run_cell) {
-  StatusOr<Job> job = UnpackJob(ReadStandardInput());
-  if (!job.ok()) {
-    fmt::print(stderr, "{}\n", job.status().message());
+int RunWorker(const RunFunction& carry_out) {
+  StatusOr<ReadyRun> ready = UnpackRun(ReadStandardInput());
+  if (!ready.ok()) {
+    fmt::print(stderr, "{}\n", ready.status().message());
     return 1;
   }
   const ThreadLimit limit(ThreadsByEnvironment());
-  job->provenance["blas_threads"] = NumBlasThreads();
-  job->provenance["threads"] = NumThreads();
-  StatusOr<Record> record = CarryOut(*job, run_cell);
+  ready->provenance["blas_threads"] = NumBlasThreads();
+  ready->provenance["threads"] = NumThreads();
+  StatusOr<Record> record = CarryOut(*ready, carry_out);
   if (!record.ok()) {
     fmt::print(stderr, "{}\n", record.status().message());
     return 1;

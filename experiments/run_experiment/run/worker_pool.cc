@@ -35,28 +35,29 @@ std::string LimitMessage(const std::string& outcome, const RunLimits& limits, do
   return fmt::format("ended at {:.0f} MiB, its limit is {} MiB", mib, limits.memory_mib);
 }
 
-Record LimitRecord(const Job& job, const std::string& outcome, double seconds, double mib) {
-  Record record = FailedRecord(job, outcome, LimitMessage(outcome, job.cell.limits, mib), seconds);
+Record LimitRecord(const ReadyRun& ready, const std::string& outcome, double seconds, double mib) {
+  Record record =
+      FailedRecord(ready, outcome, LimitMessage(outcome, ready.run.limits, mib), seconds);
   record["peak_memory_mib"] = mib;
   return record;
 }
 
-Record CrashRecord(const Job& job, const ChildProcess& process) {
+Record CrashRecord(const ReadyRun& ready, const ChildProcess& process) {
   if (process.WasKilled()) std::this_thread::sleep_for(kNextToBeKilled);
   const std::string message = fmt::format("the run's process ended by {} without a record{}",
                                           process.HowItEnded(), LastWords(process.Errors()));
-  return FailedRecord(job, kCrash, message, process.Seconds());
+  return FailedRecord(ready, kCrash, message, process.Seconds());
 }
 
-Record RecordOf(const Job& job, const ChildProcess& process) {
+Record RecordOf(const ReadyRun& ready, const ChildProcess& process) {
   Record record = Record::parse(process.Output(), nullptr, false);
   const bool is_whole = process.Succeeded() && record.is_object() && record.contains("outcome") &&
-                        record.contains("key") && record["key"] == job.key;
-  if (!is_whole) return CrashRecord(job, process);
+                        record.contains("key") && record["key"] == ready.key;
+  if (!is_whole) return CrashRecord(ready, process);
   // The last moments of a run can pass between two looks at it.
   const double mib = record.value("peak_memory_mib", 0.0);
-  if (!ExceededLimit({0, job.cell.limits.memory_mib}, 0, mib)) return record;
-  return LimitRecord(job, kMemoryLimit, process.Seconds(), mib);
+  if (!ExceededLimit({0, ready.run.limits.memory_mib}, 0, mib)) return record;
+  return LimitRecord(ready, kMemoryLimit, process.Seconds(), mib);
 }
 
 }  // namespace
@@ -64,10 +65,10 @@ Record RecordOf(const Job& job, const ChildProcess& process) {
 WorkerPool::WorkerPool(int size, std::vector<std::string> worker)
     : size_(size), worker_(std::move(worker)) {}
 
-Status WorkerPool::Start(Job job) {
-  StatusOr<ChildProcess> process = ChildProcess::Start(worker_, PackJob(job));
+Status WorkerPool::Start(ReadyRun ready) {
+  StatusOr<ChildProcess> process = ChildProcess::Start(worker_, PackRun(ready));
   if (!process.ok()) return process.status();
-  active_.push_back({std::move(job), *std::move(process)});
+  active_.push_back({std::move(ready), *std::move(process)});
   return Status();
 }
 
@@ -80,21 +81,21 @@ std::vector<EndedRun> WorkerPool::TakeEnded() {
 std::vector<EndedRun> WorkerPool::LookOnce() {
   std::vector<EndedRun> ended;
   for (auto run = active_.begin(); run != active_.end();) {
-    const RunLimits& limits = run->job.cell.limits;
+    const RunLimits& limits = run->ready.run.limits;
     run->peak_mib = std::max(run->peak_mib, run->process.ResidentMib());
     const double seconds = run->process.Seconds();
     std::optional<Record> record;
     if (run->process.HasEnded()) {
-      record = RecordOf(run->job, run->process);
+      record = RecordOf(run->ready, run->process);
     } else if (const auto outcome = ExceededLimit(limits, seconds, run->peak_mib)) {
       run->process.Kill();
-      record = LimitRecord(run->job, *outcome, seconds, run->peak_mib);
+      record = LimitRecord(run->ready, *outcome, seconds, run->peak_mib);
     }
     if (!record) {
       ++run;
       continue;
     }
-    ended.push_back({run->job.cell.Label(), *std::move(record)});
+    ended.push_back({run->ready.run.Label(), *std::move(record)});
     run = active_.erase(run);
   }
   return ended;

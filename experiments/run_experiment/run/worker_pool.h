@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/run_experiment/run/child_process.h"
-#include "experiments/run_experiment/run/job.h"
+#include "experiments/run_experiment/run/ready_run.h"
 
 namespace cirque {
 
@@ -15,20 +15,20 @@ struct EndedRun {
   Record record;
 };
 
-/// Carries out jobs in processes of their own, some side by side, and holds each to its cell's
+/// Carries out runs in processes of their own, some side by side, and holds each to its
 /// limits. A process that crashes (any end without a record) or exceeds a limit gives a record with
 /// outcome "crash", "time_limit" or "memory_limit". Memory is looked at every few milliseconds, so
 /// that a run may exceed its limit for so long.
 class WorkerPool {
  public:
-  /// `worker` is the command of a process that reads a packed job and prints its record.
+  /// `worker` is the command of a process that reads a packed run and prints its record.
   WorkerPool(int size, std::vector<std::string> worker);
 
   bool has_room() const { return static_cast<int>(active_.size()) < size_; }
   bool is_idle() const { return active_.empty(); }
 
   /// @pre has_room().
-  Status Start(Job job);
+  Status Start(ReadyRun ready);
 
   /// The runs that have ended since the last call; waits a few milliseconds where there is none.
   std::vector<EndedRun> TakeEnded();
@@ -38,7 +38,7 @@ class WorkerPool {
 
  private:
   struct Active {
-    Job job;
+    ReadyRun ready;
     ChildProcess process;
     double peak_mib = 0;
   };
@@ -50,8 +50,8 @@ class WorkerPool {
   std::deque<Active> active_;
 };
 
-/// The other side: reads a packed job from standard input, carries it out, prints its record with
+/// The other side: reads a packed run from standard input, carries it out, prints its record with
 /// the process' peak memory. Returns the process' exit status.
-int RunWorker(const RunCell& run_cell);
+int RunWorker(const RunFunction& carry_out);
 
 }  // namespace cirque

@@ -1,4 +1,4 @@
-#include "experiments/run_experiment/run/run_cell.h"
+#include "experiments/run_experiment/run/carry_out.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 #include "cirque/mesh/surface.h"
 
 #include "experiments/common/resource_use.h"
-#include "experiments/run_experiment/run/map_cell.h"
+#include "experiments/run_experiment/run/map_run.h"
 
 namespace cirque {
 namespace {
@@ -67,27 +67,27 @@ ReferenceFactorization TimeReference(const Surface& surface) {
   return best;
 }
 
-Status Run(const Cell& cell, const std::string& path, RunResult* result) {
+Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
   const Timer timer;
   const double cpu_before = ProcessCpuSeconds();
-  const StatusOr<Input> input = ReadInput(cell.mesh, path, result);
+  const StatusOr<Input> input = ReadInput(run.mesh, path, result);
   const double cpu_at_map = ProcessCpuSeconds();
   const Status status =
-      input.ok() ? MapCell(cell, input->soup, input->surface, result) : input.status();
+      input.ok() ? MapRun(run, input->soup, input->surface, result) : input.status();
   const double cpu_after = ProcessCpuSeconds();
   result->seconds = timer.Seconds();
   result->cpu_seconds = cpu_after - cpu_before;
   result->map_cpu_seconds = cpu_after - cpu_at_map;
   result->peak_memory_mib = PeakMemoryMib();
-  if (cell.reference && input.ok()) result->reference = TimeReference(input->surface);
+  if (run.reference && input.ok()) result->reference = TimeReference(input->surface);
   return status;
 }
 
 }  // namespace
 
-RunResult ParameterizeCell(const Cell& cell, const std::string& mesh_path) {
+RunResult ParameterizeRun(const PlannedRun& run, const std::string& mesh_path) {
   RunResult result;
-  const Status status = Run(cell, mesh_path, &result);
+  const Status status = Run(run, mesh_path, &result);
   result.certificate.outcome = ToString(status.code());
   result.certificate.message = status.message();
   return result;

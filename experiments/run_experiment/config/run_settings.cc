@@ -1,4 +1,4 @@
-#include "experiments/run_experiment/config/cell_settings.h"
+#include "experiments/run_experiment/config/run_settings.h"
 
 #include <algorithm>
 
@@ -25,26 +25,27 @@ double NumberOrZero(const YAML::Node& value) {
 }
 
 /// `true` and `false` stand for every run and none.
-bool Names(const YAML::Node& item, const Cell& cell) {
+bool Names(const YAML::Node& item, const PlannedRun& run) {
   const std::string& text = item.Scalar();
-  return ParseBoolean(text).value_or(MatchesPattern(cell, text));
+  return ParseBoolean(text).value_or(MatchesPattern(run, text));
 }
 
-bool IsNamed(const std::vector<YAML::Node>& items, const Cell& cell) {
+bool IsNamed(const std::vector<YAML::Node>& items, const PlannedRun& run) {
   return std::any_of(items.begin(), items.end(),
-                     [&](const YAML::Node& item) { return Names(item, cell); });
+                     [&](const YAML::Node& item) { return Names(item, run); });
 }
 
-void CheckPatterns(const YAML::Node& document, const std::vector<Cell>& cells,
+void CheckPatterns(const YAML::Node& document, const std::vector<PlannedRun>& runs,
                    Diagnostics* problems) {
   for (const char* key : {"include", "exclude", "keep_maps"}) {
     for (const YAML::Node& item : ItemsOf(document[key])) {
       if (item.Scalar() == "false" ||
-          std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return Names(item, c); })) {
+          std::any_of(runs.begin(), runs.end(),
+                      [&](const PlannedRun& c) { return Names(item, c); })) {
         continue;
       }
       problems->Add(PlaceOf(item), fmt::format("'{}' names no run; --dry_run lists them, e.g. '{}'",
-                                               item.Scalar(), cells.front().Label()));
+                                               item.Scalar(), runs.front().Label()));
     }
   }
 }
@@ -57,26 +58,26 @@ std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
   return {value.begin(), value.end()};
 }
 
-void ApplyCellSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
-                       ExperimentConfig* config) {
-  std::vector<Cell>& cells = config->cells;
-  if (!some_skipped) CheckPatterns(document, cells, problems);
+void ApplyRunSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
+                      ExperimentConfig* config) {
+  std::vector<PlannedRun>& runs = config->runs;
+  if (!some_skipped) CheckPatterns(document, runs, problems);
   if (!problems->empty()) return;
   const auto include = ItemsOf(document["include"]), exclude = ItemsOf(document["exclude"]);
-  std::erase_if(cells, [&](const Cell& cell) {
-    return (!include.empty() && !IsNamed(include, cell)) || IsNamed(exclude, cell);
+  std::erase_if(runs, [&](const PlannedRun& run) {
+    return (!include.empty() && !IsNamed(include, run)) || IsNamed(exclude, run);
   });
-  if (cells.empty()) problems->Add({}, "nothing to run: include and exclude leave no run");
+  if (runs.empty()) problems->Add({}, "nothing to run: include and exclude leave no run");
   const std::vector<std::string> measures = ReadMeasures(document["measures"], problems);
   const RunLimits limits = {NumberOrZero(document["time_limit"]),
                             NumberOrZero(document["memory_limit"])};
   const auto keep = ItemsOf(document["keep_maps"]);
   const bool reference = document["reference"] && document["reference"].Scalar() == "true";
-  for (Cell& cell : cells) {
-    cell.measures = measures;
-    cell.limits = limits;
-    cell.keep_map = IsNamed(keep, cell);
-    cell.reference = reference;
+  for (PlannedRun& run : runs) {
+    run.measures = measures;
+    run.limits = limits;
+    run.keep_map = IsNamed(keep, run);
+    run.reference = reference;
   }
 }
 

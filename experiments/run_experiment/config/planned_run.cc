@@ -1,4 +1,4 @@
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 #include <fnmatch.h>
 
@@ -15,35 +15,35 @@ std::string MeshSpec::Source() const {
                      generator_options.seed, known_boundary ? " boundary=known_map" : "", fineness);
 }
 
-std::string Cell::Label() const {
+std::string PlannedRun::Label() const {
   const std::string label = mesh.name + "/" + method.name;
   return repeat == 0 ? label : fmt::format("{}#{}", label, repeat + 1);
 }
 
-std::vector<Cell> MakeCells(const std::vector<MeshSpec>& meshes,
-                            const std::vector<MethodSpec>& methods, int repeats) {
-  std::vector<Cell> cells;
+std::vector<PlannedRun> PlanRuns(const std::vector<MeshSpec>& meshes,
+                                 const std::vector<MethodSpec>& methods, int repeats) {
+  std::vector<PlannedRun> runs;
   for (const MeshSpec& mesh : meshes) {
     for (const MethodSpec& method : methods) {
-      for (int repeat = 0; repeat < repeats; ++repeat) cells.push_back({mesh, method, repeat});
+      for (int repeat = 0; repeat < repeats; ++repeat) runs.push_back({mesh, method, repeat});
     }
   }
-  return cells;
+  return runs;
 }
 
-bool MatchesPattern(const Cell& cell, const std::string& pattern) {
-  for (const std::string& label : {cell.Label(), cell.mesh.name + "/" + cell.method.name}) {
+bool MatchesPattern(const PlannedRun& run, const std::string& pattern) {
+  for (const std::string& label : {run.Label(), run.mesh.name + "/" + run.method.name}) {
     if (fnmatch(pattern.c_str(), label.c_str(), 0) == 0) return true;
   }
   return false;
 }
 
-std::vector<Cell> SelectCells(const std::vector<Cell>& cells, const std::string& text) {
+std::vector<PlannedRun> SelectRuns(const std::vector<PlannedRun>& runs, const std::string& text) {
   const bool is_pattern = text.find_first_of("*?[") != std::string::npos;
-  std::vector<Cell> selected;
-  for (const Cell& cell : cells) {
-    if (is_pattern ? MatchesPattern(cell, text) : cell.Label().find(text) != std::string::npos) {
-      selected.push_back(cell);
+  std::vector<PlannedRun> selected;
+  for (const PlannedRun& run : runs) {
+    if (is_pattern ? MatchesPattern(run, text) : run.Label().find(text) != std::string::npos) {
+      selected.push_back(run);
     }
   }
   return selected;

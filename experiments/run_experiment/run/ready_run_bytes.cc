@@ -1,7 +1,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "experiments/run_experiment/run/job.h"
+#include "experiments/run_experiment/run/ready_run.h"
 
 namespace cirque {
 namespace {
@@ -37,15 +37,15 @@ MethodSpec MethodFromJson(const nlohmann::json& json) {
   return method;
 }
 
-nlohmann::json CellToJson(const Cell& cell) {
-  const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = cell;
+nlohmann::json RunToJson(const PlannedRun& run) {
+  const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = run;
   const auto& [seconds, memory_mib] = limits;
   return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
           {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
           {"keep_map", keep_map},     {"reference", reference}};
 }
 
-Cell CellFromJson(const nlohmann::json& json) {
+PlannedRun RunFromJson(const nlohmann::json& json) {
   return {MeshFromJson(json.at("mesh")),
           MethodFromJson(json.at("method")),
           json.at("repeat"),
@@ -57,25 +57,25 @@ Cell CellFromJson(const nlohmann::json& json) {
 
 }  // namespace
 
-std::string PackJob(const Job& job) {
-  const nlohmann::json json = {{"key", job.key},        {"cell", CellToJson(job.cell)},
-                               {"path", job.mesh.path}, {"hash", job.mesh.hash},
-                               {"folder", job.folder},  {"provenance", job.provenance}};
+std::string PackRun(const ReadyRun& ready) {
+  const nlohmann::json json = {{"key", ready.key},        {"run", RunToJson(ready.run)},
+                               {"path", ready.mesh.path}, {"hash", ready.mesh.hash},
+                               {"folder", ready.folder},  {"provenance", ready.provenance}};
   std::string bytes;
   nlohmann::json::to_cbor(json, bytes);
   return bytes;
 }
 
-StatusOr<Job> UnpackJob(const std::string& bytes) {
+StatusOr<ReadyRun> UnpackRun(const std::string& bytes) {
   try {
     const nlohmann::json json = nlohmann::json::from_cbor(bytes);
-    return Job{json.at("key"),
-               CellFromJson(json.at("cell")),
-               {json.at("path"), json.at("hash")},
-               json.at("folder"),
-               json.at("provenance")};
+    return ReadyRun{json.at("key"),
+                    RunFromJson(json.at("run")),
+                    {json.at("path"), json.at("hash")},
+                    json.at("folder"),
+                    json.at("provenance")};
   } catch (const std::exception& error) {
-    return Status::InvalidInput(std::string("not a job of run_experiment: ") + error.what());
+    return Status::InvalidInput(std::string("not a packed run of run_experiment: ") + error.what());
   }
 }
 

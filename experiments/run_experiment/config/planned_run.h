@@ -36,7 +36,7 @@ struct RunLimits {
 };
 
 /// One run: a surface, a method, and which repeat of them this is (from 0).
-struct Cell {
+struct PlannedRun {
   MeshSpec mesh;
   MethodSpec method;
   int repeat = 0;
@@ -50,13 +50,13 @@ struct Cell {
 };
 
 /// Every mesh with every method and repeat, mesh by mesh.
-std::vector<Cell> MakeCells(const std::vector<MeshSpec>& meshes,
-                            const std::vector<MethodSpec>& methods, int repeats);
+std::vector<PlannedRun> PlanRuns(const std::vector<MeshSpec>& meshes,
+                                 const std::vector<MethodSpec>& methods, int repeats);
 
-/// Whether the cell's label, with or without its "#2", is the pattern, a shell's: * ? [...].
-bool MatchesPattern(const Cell& cell, const std::string& pattern);
+/// Whether the run's label, with or without its "#2", is the pattern, a shell's: * ? [...].
+bool MatchesPattern(const PlannedRun& run, const std::string& pattern);
 
-/// The cells whose label contains `text`; where that is a pattern, those whose label is it.
-std::vector<Cell> SelectCells(const std::vector<Cell>& cells, const std::string& text);
+/// The runs whose label contains `text`; where that is a pattern, those whose label is it.
+std::vector<PlannedRun> SelectRuns(const std::vector<PlannedRun>& runs, const std::string& text);
 
 }  // namespace cirque

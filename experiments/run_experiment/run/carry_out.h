@@ -9,7 +9,7 @@
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/common/reference_factorization.h"
-#include "experiments/run_experiment/config/cells.h"
+#include "experiments/run_experiment/config/planned_run.h"
 
 namespace cirque {
 
@@ -19,21 +19,21 @@ struct RunResult {
   Certificate certificate;
   /// Figures beside those of the certificate: the measures asked for, errors against a known map.
   std::map<std::string, double> figures = {};
-  /// The mesh with its map, where the cell keeps it and there is one; of a map to the sphere the
+  /// The mesh with its map, where the run keeps it and there is one; of a map to the sphere the
   /// mesh with its points there.
   PolygonSoup map = {};
   double seconds = 0;          ///< wall time, the reference left out; 0: until this is returned
   double cpu_seconds = 0;      ///< of this process, the reference left out
   double map_cpu_seconds = 0;  ///< the part of it after reading and making the surface
   double peak_memory_mib = 0;  ///< of this process until the run's end; 0: not known
-  ReferenceFactorization reference = {};  ///< the fastest of three, where the cell asks for it
+  ReferenceFactorization reference = {};  ///< the fastest of three, where the run asks for it
 };
 
 /// Carries out one run; `mesh_path` is the mesh's file, empty for a generated mesh.
-using RunCell = std::function<RunResult(const Cell& cell, const std::string& mesh_path)>;
+using RunFunction = std::function<RunResult(const PlannedRun& run, const std::string& mesh_path)>;
 
 /// The real one: read or generate, preflight, subdivide, map to the domain, measure; then the
 /// reference.
-RunResult ParameterizeCell(const Cell& cell, const std::string& mesh_path);
+RunResult ParameterizeRun(const PlannedRun& run, const std::string& mesh_path);
 
 }  // namespace cirque

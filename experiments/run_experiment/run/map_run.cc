@@ -1,4 +1,4 @@
-#include "experiments/run_experiment/run/map_cell.h"
+#include "experiments/run_experiment/run/map_run.h"
 
 #include <algorithm>
 #include <array>
@@ -53,12 +53,12 @@ Status AddMeasures(std::vector<std::string> measures, const Surface& surface, co
   return Status();
 }
 
-StatusOr<MapRequest> RequestOf(const Cell& cell, const Surface& surface) {
+StatusOr<MapRequest> RequestOf(const PlannedRun& run, const Surface& surface) {
   MapRequest request;
-  request.domain = cell.method.domain;
-  request.options = cell.method.options;
-  if (request.domain != kPlane || !cell.mesh.known_boundary) return request;
-  StatusOr<ConeTargets> targets = KnownBoundaryTargets(cell.mesh, surface);
+  request.domain = run.method.domain;
+  request.options = run.method.options;
+  if (request.domain != kPlane || !run.mesh.known_boundary) return request;
+  StatusOr<ConeTargets> targets = KnownBoundaryTargets(run.mesh, surface);
   if (!targets.ok()) return targets.status();
   request.targets = *std::move(targets);
   return request;
@@ -66,29 +66,29 @@ StatusOr<MapRequest> RequestOf(const Cell& cell, const Surface& surface) {
 
 /// A closed surface's known map has periods: it is known up to more than a similarity. Midpoints
 /// do not lie on the smooth surface.
-bool HasKnownImage(const Cell& cell, const Surface& surface) {
-  return cell.method.domain == kPlane && cell.mesh.subdivisions == 0 &&
+bool HasKnownImage(const PlannedRun& run, const Surface& surface) {
+  return run.method.domain == kPlane && run.mesh.subdivisions == 0 &&
          !BoundaryLoops(surface.triangulation).empty();
 }
 
 }  // namespace
 
-Status MapCell(const Cell& cell, const PolygonSoup& soup, const Surface& surface,
-               RunResult* result) {
-  const StatusOr<MapRequest> request = RequestOf(cell, surface);
+Status MapRun(const PlannedRun& run, const PolygonSoup& soup, const Surface& surface,
+              RunResult* result) {
+  const StatusOr<MapRequest> request = RequestOf(run, surface);
   if (!request.ok()) return request.status();
   Certificate failed;
   StatusOr<SurfaceMap> map = MapSurface(surface, *request, SolveControl(), &failed);
   TakeCertificate(std::move(map.ok() ? map->certificate : failed), result);
   if (!map.ok()) return map.status();
-  if (HasKnownImage(cell, surface)) {
-    result->figures.merge(KnownMapErrors(cell.mesh, surface, map->uv));
+  if (HasKnownImage(run, surface)) {
+    result->figures.merge(KnownMapErrors(run.mesh, surface, map->uv));
   }
-  if (cell.keep_map) {
+  if (run.keep_map) {
     result->map = map->IsOnSphere() ? SphereMesh(soup, surface, map->position)
                                     : AttachUv(soup, surface, map->uv);
   }
-  return AddMeasures(cell.measures, surface, *map, result);
+  return AddMeasures(run.measures, surface, *map, result);
 }
 
 }  // namespace cirque
