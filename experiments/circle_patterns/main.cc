@@ -15,8 +15,7 @@
 #include "experiments/circle_patterns/flags.h"
 #include "experiments/circle_patterns/run.h"
 #include "experiments/common/blas_threads.h"
-#include "experiments/common/heap.h"
-#include "experiments/common/interrupt.h"
+#include "experiments/common/process.h"
 #include "experiments/common/solve_progress.h"
 
 namespace cirque {

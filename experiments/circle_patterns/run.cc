@@ -16,7 +16,7 @@
 #include "experiments/circle_patterns/domains.h"
 #include "experiments/circle_patterns/outputs.h"
 #include "experiments/circle_patterns/summary.h"
-#include "experiments/common/resource_use.h"
+#include "experiments/common/process.h"
 
 namespace cirque {
 namespace {

@@ -9,7 +9,6 @@
 #include "experiments/experiment_report/chart_frame.h"
 #include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/html.h"
-#include "experiments/experiment_report/performance_profile.h"
 
 namespace cirque::experiment_report {
 namespace {

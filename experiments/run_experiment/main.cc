@@ -7,8 +7,7 @@
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
-#include "experiments/common/heap.h"
-#include "experiments/common/interrupt.h"
+#include "experiments/common/process.h"
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/schema.h"
 #include "experiments/run_experiment/results/columns.h"

@@ -6,7 +6,7 @@
 
 #include "cirque/core/atomic_file.h"
 
-#include "experiments/common/interrupt.h"
+#include "experiments/common/process.h"
 #include "experiments/studies/solver_trials.h"
 #include "experiments/studies/studies.h"
 

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/experiment_report/byte_stream.h"
 #include "experiments/experiment_report/map_payload.h"
 #include "experiments/experiment_report/page.h"
 #include "experiments/experiment_report/uv_map.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/flat_tables.h"
-#include "experiments/experiment_report/performance_profile.h"
 #include "experiments/experiment_report/runs.h"
 #include "tests/experiments/report_fixtures.h"
 

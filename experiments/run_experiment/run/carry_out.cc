@@ -7,7 +7,7 @@
 #include "cirque/mesh/preflight.h"
 #include "cirque/mesh/surface.h"
 
-#include "experiments/common/resource_use.h"
+#include "experiments/common/process.h"
 #include "experiments/run_experiment/run/map_run.h"
 
 namespace cirque {

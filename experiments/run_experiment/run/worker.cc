@@ -6,7 +6,7 @@
 #include "cirque/core/parallel.h"
 
 #include "experiments/common/blas_threads.h"
-#include "experiments/common/resource_use.h"
+#include "experiments/common/process.h"
 #include "experiments/run_experiment/run/worker_pool.h"
 
 namespace cirque {

@@ -1,8 +1,23 @@
-#include "experiments/common/interrupt.h"
+#include "experiments/common/process.h"
 
 #include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace cirque {
+
+void UseOneHeap() {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 namespace {
 
 // A signal handler may touch lock-free atomics only.
@@ -24,5 +39,19 @@ void CatchInterrupts() {
 bool IsInterrupted() { return interrupted; }
 
 const std::atomic<bool>* InterruptFlag() { return &interrupted; }
+
+double PeakMemoryMib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
+double ProcessCpuSeconds() {
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 }  // namespace cirque
