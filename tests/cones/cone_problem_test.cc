@@ -150,7 +150,8 @@ TEST(ConeProblem, ACornerLostInTheSourceDoesNotCount) {
   // A source in which one vertex has fewer corners: numbered otherwise.
   const Renumbering r = Renumber(surface.triangulation, 1);
   const EdgeLengths renumbered = r.Lengths(surface.triangulation, lengths);
-  const ConeProblem problem(surface.triangulation, lengths, {&r.triangulation, &renumbered, {}});
+  const IntrinsicSurface source = MeasureSurface(r.triangulation, renumbered);
+  const ConeProblem problem(MeasureSurface(surface.triangulation, lengths), {&source, {}});
   const std::vector<Index> own = CornersPerVertex(surface.triangulation);
   const std::vector<Index> there = CornersPerVertex(r.triangulation);
   int fewer = 0;

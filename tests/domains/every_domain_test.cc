@@ -170,14 +170,14 @@
   TEST_P(EveryDomain, AProofGoesWithWhatIsInfeasible) {
     const Surface surface = Kleetope(SurfaceFor(domain_, 60));
     MapRequest request = RequestFor(domain_);
-    request.options.triangulation = "input";
+    request.options.triangulation = SolvedTriangulation::kInput;
     const Certificate failed = MustFail(surface, request, StatusCode::kInfeasible);
     EXPECT_EQ(static_cast<Index>(failed.infeasibility.face_multiplier.size()),
               surface.triangulation.num_faces());
     EXPECT_GT(failed.infeasibility.margin, 0);
     EXPECT_FALSE(failed.distortion.has_value());
     // On intrinsic Delaunay connectivity the same surface has a map.
-    request.options.triangulation = "delaunay";
+    request.options.triangulation = SolvedTriangulation::kDelaunay;
     EXPECT_TRUE(MapSurface(surface, request).ok());
   }
 

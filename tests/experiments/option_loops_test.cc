@@ -12,6 +12,7 @@
 #include "experiments/circle_patterns/flags.h"
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/schema.h"
+#include "tests/common/paths.h"
 #include "tests/common/run_program.h"
 
 namespace cirque {
@@ -97,7 +98,7 @@ TEST(OptionLoops, AFlagAndAKeySetTheSame) {
     ASSERT_TRUE(config.ok()) << config.status().message();
     const OptionMap values = ParameterizeOptionTable().Values(wanted);
     EXPECT_EQ(ParameterizeOptionTable().Values(job->options), values);
-    EXPECT_EQ(ParameterizeOptionTable().Values(config->cells[0].method.options), values);
+    EXPECT_EQ(ParameterizeOptionTable().Values(config->runs[0].method.options), values);
     EXPECT_NE(values, ParameterizeOptionTable().Values({}));
   }
 }

@@ -137,7 +137,7 @@ TEST(Flatten, LockedEdgesStay) {
 TEST(Flatten, TheReasonWhyThereIsNoneComesWithTheResult) {
   const Case c(Kleetope(GeneratedSurface("bumpy_terrain", 100)));
   ParameterizeOptions options;
-  options.triangulation = "input";
+  options.triangulation = SolvedTriangulation::kInput;
   const ConeTargets targets = FreeBoundaryTargets(c.surface.triangulation);
   Certificate certificate;
   FlatSurface flat;
