@@ -445,6 +445,7 @@ TEST(RunExperimentConfig, HelpExplainsEveryKeyAndItsExampleIsAValidConfig) {
     EXPECT_LE(line.size(), 100u) << line;
   }
   const TemporaryFolder folder;
+  setenv("CIRQUE_MESHES", folder.path().c_str(), 1);  // where the optional meshes are not
   const std::string example = help.substr(help.find("Example:\n") + 9);
   const StatusOr<ExperimentConfig> config = LoadConfig(folder.Write("a.yaml", example));
   ASSERT_TRUE(config.ok()) << config.status().message();

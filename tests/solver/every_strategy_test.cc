@@ -191,7 +191,7 @@ TEST_P(EveryStrategy, RefusesOptionsByNameValueAndBound) {
   EXPECT_EQ(message({{"gradient_tolerance", "2"}}),
             name + ": gradient_tolerance = '2' is not a number in [0, 1]");
   EXPECT_EQ(message({{"max_seconds", "soon"}}),
-            name + ": max_seconds = 'soon' is not a number in [0, 1e+09]");
+            name + ": max_seconds = 'soon' is not a number in [0, 1e+09] s");
   EXPECT_THAT(message({{"max_iteration", "1"}}), HasSubstr("max_iterations"));
 }
 

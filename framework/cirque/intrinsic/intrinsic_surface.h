@@ -7,8 +7,8 @@
 
 namespace cirque {
 
-/// A triangulated surface with what follows from its connectivity and lengths alone, computed once and
-/// handed down. It refers to the triangulation and the lengths, which must outlive it.
+/// A triangulated surface with what follows from its connectivity and lengths alone, computed once
+/// and handed down. It refers to the triangulation and the lengths, which must outlive it.
 struct IntrinsicSurface {
   const Triangulation& triangulation;
   const EdgeLengths& lengths;
@@ -17,6 +17,7 @@ struct IntrinsicSurface {
   std::vector<Index> corners;  ///< per vertex its number of corners
 };
 
+/// Measures it: corner angles by the law of cosines [rad], boundary and corners from the gluing.
 IntrinsicSurface MeasureSurface(const Triangulation& triangulation, const EdgeLengths& lengths);
 
 }  // namespace cirque

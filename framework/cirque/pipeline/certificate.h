@@ -62,7 +62,9 @@ Status Conclude(const Status& status, const Timer& timer, Certificate* certifica
 /// Renumbers the proof's vertices as the input file has them.
 void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof);
 
+/// What a certificate's JSON says of its own form: "schema" and "version" (docs/certificate.md).
 inline constexpr char kCertificateSchema[] = "cirque-certificate";
+/// Raised whenever a reader of the version before would misread it.
 inline constexpr int kCertificateVersion = 1;
 
 /// One number of a certificate.

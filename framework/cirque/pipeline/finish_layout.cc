@@ -22,9 +22,9 @@ struct Refinement {
 
 StatusOr<Refinement> Parse(const std::string& refine_map) {
   const StatusOr<NameWithOptions> named = ParseNameWithOptions(refine_map);
-  if (!named.ok()) return named.status().In("refine_map");
+  if (!named.ok()) return named.status();
   const StatusOr<MapObjective> objective = MapObjectives().Find(named->name);
-  if (!objective.ok()) return objective.status().In("refine_map");
+  if (!objective.ok()) return objective.status();
   Refinement refinement{*objective, {}};
   if (Status s = RefineMapOptionTable().Set(named->options, &refinement.options); !s.ok()) return s;
   return refinement;
