@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "cirque/metrics/distortion_measure.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_files.h"
-#include "cirque/metrics/distortion_measure.h"
 
 namespace cirque::experiment_report {
 namespace {

@@ -71,14 +71,14 @@ class RunExperimentShardFiles : public ::testing::Test {
 
   RunSummary Run(const Shard& shard, const std::string& outcome = "ok") {
     const RunnerOptions options{.shard = shard};
-    const auto summary = RunExperiment(
-        config_, config_.runs, options, [&](const PlannedRun& run, const std::string& /*path*/) {
-          ++calls_;
-          RunResult result;
-          result.certificate.outcome = outcome;
-          result.figures["seed"] = run.mesh.generator_options.seed;
-          return result;
-        });
+    const auto summary = RunExperiment(config_, config_.runs, options,
+                                       [&](const PlannedRun& run, const std::string& /*path*/) {
+                                         ++calls_;
+                                         RunResult result;
+                                         result.certificate.outcome = outcome;
+                                         result.figures["seed"] = run.mesh.generator_options.seed;
+                                         return result;
+                                       });
     EXPECT_TRUE(summary.ok()) << summary.status().message();
     return summary.ok() ? *summary : RunSummary();
   }

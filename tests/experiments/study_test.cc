@@ -26,8 +26,8 @@ class StudyTest : public ::testing::Test {
   }
 
   ProgramResult Study(const std::string& name) const {
-    return RunShell(ProjectPath("experiments/scripts/make_study") + " " + name + " --records " + folder_.path() +
-                    " --output " + folder_.Path("out.md"));
+    return RunShell(ProjectPath("experiments/scripts/make_study") + " " + name + " --records " +
+                    folder_.path() + " --output " + folder_.Path("out.md"));
   }
 
   /// The page made of these records.

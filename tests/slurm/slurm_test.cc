@@ -93,9 +93,10 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
 TEST(SlurmScript, PrintsAnArrayThatIsQueuedAgain) {
   const TemporaryFolder folder;
   const std::string config = folder.Write("a study.yaml", kConfig);
-  const ProgramResult script = Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " '" + config +
-                                     "' --shards 5 --parallel_runs 3 --program " + ProgramFolder() +
-                                     "/run_experiment -- --only='*/thin' --sbatch-partition=long");
+  const ProgramResult script =
+      Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " '" + config +
+            "' --shards 5 --parallel_runs 3 --program " + ProgramFolder() +
+            "/run_experiment -- --only='*/thin' --sbatch-partition=long");
   ASSERT_EQ(script.exit_status, 0) << script.output;
   for (const char* line : {"#SBATCH --array=1-5\n", "#SBATCH --cpus-per-task=3\n",
                            "#SBATCH --requeue\n", "#SBATCH --partition=long\n",
@@ -117,7 +118,8 @@ TEST(SlurmScript, RefusesMistakesBeforeAnythingIsSubmitted) {
            {"/nowhere/a.yaml", "/nowhere/a.yaml: there is no such file"},
            {bad + program, "bad.yaml:1:1: the key 'meshes' is missing"},
            {config + program + " -- --only=zzz", "--only=zzz: no run of "}}) {
-    const ProgramResult refused = Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " " + arguments);
+    const ProgramResult refused =
+        Shell(ProjectPath("experiments/scripts/submit_to_slurm") + " " + arguments);
     EXPECT_NE(refused.exit_status, 0) << arguments;
     EXPECT_THAT(refused.output, HasSubstr(message));
   }

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "cirque/core/triangulation.h"
 #include "cirque/core/metric.h"
+#include "cirque/core/triangulation.h"
 
 namespace cirque {
 

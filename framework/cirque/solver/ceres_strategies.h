@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+
 #include <ceres/types.h>
 
 #include "cirque/solver/solver_strategy.h"

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "cirque/core/option_table.h"
+#include "cirque/linear/amg_system_solver.h"
 #include "cirque/linear/system_solver.h"
 #include "cirque/solver/solve_run.h"
 #include "cirque/solver/solver_strategy.h"
-#include "cirque/linear/amg_system_solver.h"
 
 namespace cirque {
 
