@@ -47,8 +47,7 @@ IncludeGraph GraphOfTheProject() {
 
 // Folders whose rings of includes are being taken apart.
 bool IsBeingTakenApart(const std::string& fault) {
-  static const std::vector<std::string> kFolders = {"experiments/run_experiment/",
-                                                    "framework/cirque/pipeline/"};
+  static const std::vector<std::string> kFolders = {"experiments/run_experiment/"};
   return std::any_of(kFolders.begin(), kFolders.end(),
                      [&fault](const std::string& folder) { return fault.starts_with(folder); });
 }
