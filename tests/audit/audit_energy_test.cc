@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
