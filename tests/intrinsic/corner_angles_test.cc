@@ -108,7 +108,9 @@ TEST(VertexAngleSums, OfPlaneAndSphereObeyGaussBonnet) {
   double turned = 0;
   for (Index v = 0; v < patch.triangulation.num_vertices; ++v) {
     if (boundary[v]) turned += kPi - flat[v];
-    if (!boundary[v]) EXPECT_NEAR(flat[v], 2 * kPi, 1e-12);
+    if (!boundary[v]) {
+      EXPECT_NEAR(flat[v], 2 * kPi, 1e-12);
+    }
   }
   EXPECT_NEAR(turned, 2 * kPi, 1e-10);
   const Surface blob = GeneratedSurface("blob", 400);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

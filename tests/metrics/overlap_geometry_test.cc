@@ -112,7 +112,9 @@ TEST(BoxTree, FindsWhatATrialOfAllFinds) {
       EXPECT_EQ(found, expected);
       found_in_all += found.size();
     }
-    if (count > 100) EXPECT_GT(found_in_all, 100u);
+    if (count > 100) {
+      EXPECT_GT(found_in_all, 100u);
+    }
   }
 }
 
