@@ -1,9 +1,10 @@
 // Multigrid in the place of factorizations: where the build has PETSc, otherwise a clear refusal.
+#include "cirque/linear/amg_system_solver.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/linear/amg_system_solver.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/linear/grid_matrix.h"
