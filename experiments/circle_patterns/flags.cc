@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -9,8 +11,6 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
 #include "cirque/solver/solver_strategy.h"
-
-#include "experiments/circle_patterns/domains.h"
 
 namespace cirque {
 namespace {
@@ -82,6 +82,43 @@ const OptionTable<DomainRequest>& DomainTable() {
            .OneOf(Domains().Names())
            .About("Domain")});
   return kTable;
+}
+
+/// The flags that stand for what a domain reads or gives, where they are not called like it.
+std::vector<std::string> FlagsFor(const std::string& member) {
+  static const std::map<std::string, std::vector<std::string>> kFlags = {
+      {"targets", {"iv", "angle_sums"}},  {"cut", {"ie", "cut_paths"}},
+      {"metric", {"ic", "no"}},           {"flat", {"oc", "flip_back"}},
+      {"uv", {"measures", "fill_holes"}}, {"position", {"latlong"}}};
+  const auto found = kFlags.find(member);
+  return found == kFlags.end() ? std::vector<std::string>{member} : found->second;
+}
+
+/// The flags that the domain takes and not every domain does.
+std::vector<std::string> FlagsOf(const Domain& domain) {
+  std::vector<std::string> flags;
+  for (const auto* members : {&domain.reads, &domain.gives}) {
+    for (const std::string& member : *members) {
+      for (const std::string& flag : FlagsFor(member)) flags.push_back(flag);
+    }
+  }
+  return flags;
+}
+
+/// Refuses an unknown domain, and flags that are given and that this domain does not read.
+Status CheckDomainFlags(const std::string& name,
+                        const std::function<bool(const std::string&)>& is_given) {
+  const StatusOr<Domain> domain = Domains().Find(name);
+  if (!domain.ok()) return domain.status();
+  const std::vector<std::string> own = FlagsOf(*domain);
+  for (const std::string& other : Domains().Names()) {
+    for (const std::string& flag : FlagsOf(*Domains().Find(other))) {
+      if (!is_given(flag) || std::find(own.begin(), own.end(), flag) != own.end()) continue;
+      return Status::InvalidInput(
+          fmt::format("--domain={} takes no --{}; it takes {}", name, flag, Join(own)));
+    }
+  }
+  return Status();
 }
 
 }  // namespace
@@ -188,12 +225,11 @@ StatusOr<CirclePatternsJob> CirclePatternsFlags::Job() const {
   if (!measures.ok()) return measures.status().In("--measures");
   CirclePatternsJob job = job_;
   job.measures = *std::move(measures);
-  const OptionTable<ParameterizeOptions>& table = ParameterizeOptionTable();
-  const ParameterizeOptions recommended = Domains().Find(job.domain.name)->recommended;
-  for (const auto& [name, text] : table.Values(recommended)) {
-    if (line_.IsGiven(name)) continue;
-    if (Status s = table.Set({{name, text}}, &job.options); !s.ok()) return s;
-  }
+  OptionMap given = ParameterizeOptionTable().Values(job_.options);
+  std::erase_if(given, [this](const auto& option) { return !line_.IsGiven(option.first); });
+  auto options = Domains().Find(job.domain.name)->OptionsWith(given);
+  if (!options.ok()) return options.status();
+  job.options = *std::move(options);
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
   return job;
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 #include "experiments/common/flag_parsing.h"
 
 namespace cirque {

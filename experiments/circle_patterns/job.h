@@ -1,9 +1,12 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "cirque/core/option_table.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
 #include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/options.h"
 
@@ -33,5 +36,15 @@ struct CirclePatternsJob {
   ParameterizeOptions options;
   DomainRequest domain;
 };
+
+/// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
+/// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to
+/// be parameterized, beside it the carriers of an infeasibility certificate; none of them when
+/// `control` cancels.
+Status RunOnMesh(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report);
+
+/// The same for an intrinsic metric from a CON file. The output's points are the map's own: (u, v,
+/// 0) for every vertex of the surface opened along the cut.
+Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report);
 
 }  // namespace cirque

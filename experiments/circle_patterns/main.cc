@@ -13,7 +13,7 @@
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/flags.h"
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
 #include "experiments/common/solve_progress.h"
@@ -28,7 +28,8 @@ constexpr char kUsage[] =
     "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
     "  circle_patterns OPTIONS.txt           all options in one text file\n"
     "  mpirun -n 4 circle_patterns ...       -radii_solver=newton_amg distributed over processes\n"
-    "Exit status: 0 done, 1 not converged, 2 bad input, 3 proven infeasible, 4 unrepresentable.\n";
+    "Exit status: 0 done, 1 not converged, 2 bad input, 3 infeasible (see its certificate), 4 "
+    "unrepresentable.\n";
 
 int Conclude(const Status& status) {
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
@@ -36,7 +37,7 @@ int Conclude(const Status& status) {
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control) {
-  return job.input_con.empty() ? RunCirclePatterns(job, control, std::cout)
+  return job.input_con.empty() ? RunOnMesh(job, control, std::cout)
                                : RunOnMetric(job, control, std::cout);
 }
 

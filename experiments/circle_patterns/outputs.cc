@@ -11,7 +11,9 @@
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 #include "cirque/layout/sphere_chart.h"
+#include "cirque/pipeline/infeasibility_files.h"
 
+#include "experiments/common/process.h"
 #include "experiments/common/sphere_files.h"
 
 namespace cirque {
@@ -50,6 +52,17 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
   const Triangulation& t = input.surface.triangulation;
   return WriteMeasures(
       job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
+}
+
+/// The faces and vertices that carry an infeasibility certificate, as a table and as a coloured mesh.
+Status WriteCarriers(const std::string& stem, const Surface& surface,
+                     const InfeasibilityCertificate& infeasibility, std::ostream& report) {
+  const std::string csv = stem + ".infeasible.csv", ply = stem + ".infeasible.ply";
+  if (Status s = WriteFileAtomically(csv, InfeasibilityCsv(infeasibility)); !s.ok()) return s;
+  if (Status s = WriteFileAtomically(ply, InfeasibilityPly(surface, infeasibility)); !s.ok())
+    return s;
+  report << "carriers    " << csv << ", " << ply << "\n";
+  return Status();
 }
 
 }  // namespace
@@ -101,6 +114,35 @@ Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, con
   if (!written.ok()) return written;
   for (const MeasureFile& file : job.measures) report << "measures    " << file.path << "\n";
   return Status();
+}
+
+std::string CarrierStem(const CirclePatternsJob& job) {
+  const std::string path = CertificatePath(job);
+  for (const std::string ending : {".certificate.json", ".json"}) {
+    if (path.ends_with(ending)) return path.substr(0, path.size() - ending.size());
+  }
+  return path;
+}
+
+std::string CertificatePath(const CirclePatternsJob& job) {
+  if (!job.certificate.empty()) return job.certificate;
+  const std::string& output = job.output.empty() ? job.con : job.output;
+  return std::filesystem::path(output).replace_extension(".certificate.json").string();
+}
+
+Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
+                        Certificate* certificate, const Status& status, std::ostream& report) {
+  certificate->process = ProcessSummary{PeakMemoryMib()};
+  certificate->seconds.process = timer.Seconds();
+  const std::string path = CertificatePath(job);
+  if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
+  report << "certificate " << path << "\n";
+  const InfeasibilityCertificate& infeasibility = certificate->infeasibility;
+  if (!infeasibility.empty()) {
+    if (Status s = WriteCarriers(CarrierStem(job), surface, infeasibility, report); !s.ok())
+      return s;
+  }
+  return status;
 }
 
 }  // namespace cirque

@@ -1,16 +1,22 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/domains/domain.h"
 #include "cirque/io/polygon_soup.h"
 #include "cirque/mesh/holes.h"
 #include "cirque/mesh/surface.h"
+#include "cirque/pipeline/certificate.h"
 
 #include "experiments/circle_patterns/job.h"
 
 namespace cirque {
+
+/// The evidence in a few lines for people.
+std::string Summary(const Certificate& certificate);
 
 /// Refuses names of outputs whose format cannot hold a map to the job's domain: an .obj holds any,
 /// a .ply those to the sphere.
@@ -45,5 +51,17 @@ struct MeasuredMesh {
 /// The map's measures in the files that the job asks for, colours on the mesh given.
 Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, const CornerUv& uv,
                      std::ostream& report);
+
+/// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".
+std::string CertificatePath(const CirclePatternsJob& job);
+
+/// Where an infeasibility certificate leaves the faces and vertices that carry it: the certificate's
+/// path without ".certificate.json"; ".infeasible.csv" and ".infeasible.ply" are added.
+std::string CarrierStem(const CirclePatternsJob& job);
+
+/// Writes the certificate, with the memory and the time of the process until now, and the carriers
+/// of its infeasibility certificate if it holds one. Returns `status`, or what kept it from writing.
+Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
+                        Certificate* certificate, const Status& status, std::ostream& report);
 
 }  // namespace cirque

@@ -1,6 +1,6 @@
-#include "experiments/circle_patterns/summary.h"
-
 #include <fmt/format.h>
+
+#include "experiments/circle_patterns/outputs.h"
 
 namespace cirque {
 namespace {

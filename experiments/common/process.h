@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <string>
+#include <vector>
 
 namespace cirque {
 
@@ -23,5 +25,9 @@ double PeakMemoryMib();
 
 /// CPU time of all threads of this process [s].
 double ProcessCpuSeconds();
+
+/// Runs a program, found in PATH unless its name has a slash, with our own streams, and waits for it:
+/// its exit status, or -1 where it could not be started or did not end by itself.
+int RunAndWait(std::vector<std::string> words);
 
 }  // namespace cirque

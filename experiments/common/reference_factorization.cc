@@ -65,8 +65,14 @@ ReferenceFactorization TimeFactorization(const SparseMatrix& lower) {
 
 }  // namespace
 
-ReferenceFactorization TimeReferenceFactorization(const Surface& surface) {
-  return TimeFactorization(CotangentLaplacian(surface));
+ReferenceFactorization TimeReferenceFactorization(const Surface& surface, int repeats) {
+  const SparseMatrix laplacian = CotangentLaplacian(surface);
+  ReferenceFactorization best = TimeFactorization(laplacian);
+  for (int i = 1; i < repeats; ++i) {
+    const ReferenceFactorization again = TimeFactorization(laplacian);
+    if (again.cpu_seconds < best.cpu_seconds) best = again;
+  }
+  return best;
 }
 
 ReferenceFactorization TimeDualFactorization(const Triangulation& triangulation) {

@@ -1,5 +1,3 @@
-#include "experiments/experiment_report/config_figures.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiments/experiment_report/charts.h"
+#include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/html.h"
 
 namespace cirque::experiment_report {

@@ -3,7 +3,7 @@
 find_package(ZLIB REQUIRED)
 
 set(ASSETS ${CMAKE_CURRENT_LIST_DIR}/assets)
-set(EMBEDDED "#include \"experiments/experiment_report/assets.h\"\n")
+set(EMBEDDED "#include \"experiments/experiment_report/html.h\"\n")
 string(APPEND EMBEDDED "namespace cirque::experiment_report {\n")
 
 # Adds NAME, the contents of FILES one after the other. Compilers limit the length of one literal

@@ -1,11 +1,14 @@
 #include "experiments/experiment_report/figures.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "experiments/common/process.h"
 #include "experiments/experiment_report/chart_frame.h"
 #include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/html.h"
@@ -110,7 +113,7 @@ std::string Histograms(const std::vector<Run>& maps) {
          Histogram(maps, "Area distortion", "log area ratio, root mean square", AreaDistortion);
 }
 
-/// A failed attempt at a mesh takes forever; a proof that there is no map is no solution.
+/// A failed attempt at a mesh takes forever; an infeasibility certificate is no solution.
 std::vector<Attempt> Attempts(const std::vector<Run>& runs) {
   std::vector<Attempt> attempts;
   for (const Run& run : runs) {
@@ -182,6 +185,9 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
                     by_method ? methods.names() : strategies.names(), curves, false);
 }
 
+constexpr char kLooksForMatplotlib[] =
+    "import importlib.util as u; raise SystemExit(u.find_spec('matplotlib') is None)";
+
 }  // namespace
 
 std::string FiguresHtml(const std::vector<Run>& runs) {
@@ -193,6 +199,22 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
                           [](const Run& run) { return run.angle_solver; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",
                           [](const Run& run) { return run.radii_solver; });
+}
+
+Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json,
+                        const std::string& figures_json) {
+  std::fflush(stdout);  // what it prints comes after our lines
+  // Another Python than the system's may come first in PATH, without the system's packages.
+  for (const std::string python : {"python3", "/usr/bin/python3"}) {
+    if (RunAndWait({python, "-c", kLooksForMatplotlib}) != 0) continue;
+    const int status = RunAndWait(
+        {python, "-c", std::string(kFiguresScript), runs_json, convergence_json, figures_json});
+    if (status == 0) return Status();
+    return Status::InvalidInput("--pdf: " + python + " could not draw, for the reason above");
+  }
+  return Status::InvalidInput(
+      "--pdf: no python3 with matplotlib; on Debian: apt-get install python3-matplotlib. All else "
+      "has been written");
 }
 
 }  // namespace cirque::experiment_report

@@ -14,4 +14,11 @@ std::string EscapeJson(std::string_view json);
 /// A number for people: four digits, or as many as an integer has; empty for NaN.
 std::string ShownNumber(double value);
 
+/// The files of assets/, embedded by embed.cmake; the viewer's scripts one after the other.
+extern const std::string_view kStyle;
+extern const std::string_view kTableScript;
+extern const std::string_view kViewerHtml;
+extern const std::string_view kViewerScript;
+extern const std::string_view kFiguresScript;  ///< Python
+
 }  // namespace cirque::experiment_report

@@ -11,9 +11,9 @@
 #include "cirque/core/atomic_file.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/flat_tables.h"
 #include "experiments/experiment_report/page.h"
-#include "experiments/experiment_report/paper_figures.h"
 
 DEFINE_string(output, "", "where to write the page; empty: RESULTS_DIR/report.html");
 DEFINE_bool(pdf, false, "figures for papers too, as PDF, by Python's matplotlib");

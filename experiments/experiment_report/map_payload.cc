@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,26 +27,26 @@ std::uint32_t Fold(Signed difference) {
   return static_cast<std::uint32_t>(wide >= 0 ? 2 * wide : -2 * wide - 1);
 }
 
+/// Of each value from the one before it, the first from 0.
+template <class Unsigned>
+std::vector<std::uint32_t> FoldedDifferences(const std::vector<Unsigned>& values) {
+  std::vector<std::uint32_t> codes;
+  Unsigned before = 0;
+  for (const Unsigned value : values) {
+    codes.push_back(Fold(static_cast<std::make_signed_t<Unsigned>>(value - before)));
+    before = value;
+  }
+  return codes;
+}
+
 }  // namespace
 
 void ByteStream::AddShorts(const std::vector<std::uint16_t>& values) {
-  std::vector<std::uint32_t> codes;
-  std::uint16_t before = 0;
-  for (const std::uint16_t value : values) {
-    codes.push_back(Fold(static_cast<std::int16_t>(value - before)));
-    before = value;
-  }
-  AddPlanes(codes, 2);
+  AddPlanes(FoldedDifferences(values), 2);
 }
 
 void ByteStream::AddWords(const std::vector<std::uint32_t>& values) {
-  std::vector<std::uint32_t> codes;
-  std::uint32_t before = 0;
-  for (const std::uint32_t value : values) {
-    codes.push_back(Fold(static_cast<std::int32_t>(value - before)));
-    before = value;
-  }
-  AddPlanes(codes, 4);
+  AddPlanes(FoldedDifferences(values), 4);
 }
 
 void ByteStream::AddPlanes(const std::vector<std::uint32_t>& codes, int planes) {

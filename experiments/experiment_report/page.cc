@@ -4,11 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "experiments/experiment_report/assets.h"
 #include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/html.h"
 #include "experiments/experiment_report/map_payload.h"
-#include "experiments/experiment_report/sections.h"
 
 namespace cirque::experiment_report {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/experiment_report/config_figures.h"
+#include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/runs.h"
 
 namespace cirque::experiment_report {
@@ -26,5 +26,21 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
 /// for come before those that every report has.
 std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps,
                        const std::vector<ConfigFigure>& figures = {});
+
+/// How many runs ended in a map, in an infeasibility certificate, and otherwise.
+struct Verdicts {
+  int ok = 0, infeasible = 0, failed = 0;
+};
+Verdicts CountVerdicts(const std::vector<Run>& runs);
+
+/// The question, the verdicts and what the runs were made with, as HTML.
+std::string SummaryHtml(const Results& results);
+
+/// The runs as a table that sorts by the column whose head is clicked; runs with a map that the
+/// page shows (by key) link to it.
+std::string RunsHtml(const std::vector<Run>& runs, const std::vector<std::string>& shown_maps);
+
+/// The runs without a map, by outcome, each with its message; empty when there are none.
+std::string FailuresHtml(const std::vector<Run>& runs);
 
 }  // namespace cirque::experiment_report

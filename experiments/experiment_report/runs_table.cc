@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "experiments/experiment_report/html.h"
-#include "experiments/experiment_report/sections.h"
+#include "experiments/experiment_report/page.h"
 
 namespace cirque::experiment_report {
 namespace {

@@ -7,7 +7,7 @@
 #include "cirque/core/text.h"
 
 #include "experiments/experiment_report/html.h"
-#include "experiments/experiment_report/sections.h"
+#include "experiments/experiment_report/page.h"
 
 namespace cirque::experiment_report {
 namespace {
@@ -15,6 +15,7 @@ namespace {
 const std::vector<std::pair<std::string, std::string>> kProvenance = {
     {"config", "/provenance/config"},
     {"config hash", "/provenance/config_hash"},
+    {"options as domains recommend them", "/method/recommended"},
     {"version", "/provenance/version"},
     {"commit", "/provenance/commit"},
     {"build", "/provenance/build"},
@@ -55,7 +56,7 @@ std::string ProvenanceHtml(const std::vector<Run>& runs) {
   std::string rows;
   for (const auto& [name, pointer] : kProvenance) {
     const std::string value = Distinct(runs, pointer);
-    rows += ProvenanceRow(name, name == "libraries" ? WithoutQuotes(value) : value);
+    rows += ProvenanceRow(name, value.starts_with('{') ? WithoutQuotes(value) : value);
   }
   std::set<std::string> started;
   for (const Run& run : runs) started.insert(TextAt(run.record, "/provenance/started"));
@@ -90,8 +91,7 @@ std::string SummaryHtml(const Results& results) {
   std::string html;
   if (!question.empty()) html += "<p class=\"question\">" + Escape(question) + "</p>\n";
   html += "<div class=\"tiles\">" + Tile("all", static_cast<int>(results.runs.size()), "runs") +
-          Tile("ok", verdicts.ok, "maps") +
-          Tile("infeasible", verdicts.infeasible, "proven infeasible") +
+          Tile("ok", verdicts.ok, "maps") + Tile("infeasible", verdicts.infeasible, "infeasible") +
           Tile("failed", verdicts.failed, "failed") + "</div>\n";
   if (results.superseded > 0) {
     html += fmt::format(

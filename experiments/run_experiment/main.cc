@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -11,7 +12,6 @@
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/schema.h"
 #include "experiments/run_experiment/results/columns.h"
-#include "experiments/run_experiment/results/report_program.h"
 #include "experiments/run_experiment/run/runner.h"
 #include "experiments/run_experiment/run/worker_pool.h"
 
@@ -99,6 +99,17 @@ StatusOr<RunnerOptions> ChooseOptions() {
   options.parallel_runs = FLAGS_parallel_runs;
   options.worker = {"/proc/self/exe", kWorkerArgument};
   return options;
+}
+
+/// Has the program experiment_report, where it lies beside this one, write its page of the results
+/// in `folder` and say where it is.
+void WriteReport(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  if (!fs::exists(here / "experiment_report", error)) return;
+  std::fflush(stdout);  // its lines come after ours
+  RunAndWait({here / "experiment_report", folder});
 }
 
 int Run(ExperimentConfig config) {

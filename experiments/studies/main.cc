@@ -22,13 +22,23 @@ namespace {
 constexpr char kSource[] = "experiments/studies/";
 constexpr char kCommonSource[] = "experiments/studies/studies.cc";
 
+/// Every line but the first begins with so many blanks.
+std::string Indented(const std::string& text, int blanks) {
+  std::string indented;
+  for (const char c : text) {
+    indented += c;
+    if (c == '\n') indented.append(static_cast<std::size_t>(blanks), ' ');
+  }
+  return indented;
+}
+
 std::string Usage() {
   std::string text =
       "studies NAME [FLAGS] [MESH ...]\n"
       "Each study asks one question; studies NAME --help explains it and its flags.\n"
       "Exit status: 0 done, 1 interrupted, 2 bad input, 3 no solution.\n\n";
   for (const Study& study : Studies()) {
-    text += fmt::format("  {:<26}{}\n", study.name, study.what.substr(0, study.what.find('\n')));
+    text += fmt::format("  {:<26}{}\n", study.name, Indented(study.what, 28));
   }
   return text;
 }

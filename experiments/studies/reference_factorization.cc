@@ -19,15 +19,6 @@ DEFINE_int32(subdivisions, 0, "how often triangles are split in four at their ed
 namespace cirque {
 namespace {
 
-ReferenceFactorization Fastest(const Surface& surface) {
-  ReferenceFactorization best = TimeReferenceFactorization(surface);
-  for (int i = 1; i < FLAGS_repeats; ++i) {
-    const ReferenceFactorization again = TimeReferenceFactorization(surface);
-    if (again.cpu_seconds < best.cpu_seconds) best = again;
-  }
-  return best;
-}
-
 /// The triangles of a file, split as asked.
 StatusOr<PolygonSoup> ReadTriangles(const std::string& path) {
   StatusOr<PolygonSoup> soup = ReadMesh(path);
@@ -44,7 +35,7 @@ Status TimeMesh(const std::string& path) {
   PreflightReport report;
   const StatusOr<Surface> surface = Preflight(*soup, &report);
   if (!surface.ok()) return surface.status().In(path);
-  const ReferenceFactorization best = Fastest(*surface);
+  const ReferenceFactorization best = TimeReferenceFactorization(*surface, FLAGS_repeats);
   fmt::print("{:<40} {:>9} triangles {:>9.4f} s wall {:>9.4f} s CPU\n", path,
              surface->triangulation.num_faces(), best.seconds, best.cpu_seconds);
   return OutputFile().empty() ? Status() : WriteMesh(OutputFile(), *soup);

@@ -7,7 +7,8 @@
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
+#include "experiments/circle_patterns/outputs.h"
 
 namespace cirque {
 namespace {
@@ -22,13 +23,13 @@ TEST(CirclePatternsCancel, ACancelledRunWritesNothing) {
   ASSERT_TRUE(WriteMesh(job.input, *GenerateMesh("bumpy_terrain", {200, 1})).ok());
   const std::atomic<bool> cancelled = true;
   std::ostringstream report;
-  const Status status = RunCirclePatterns(job, {{}, &cancelled}, report);
+  const Status status = RunOnMesh(job, {{}, &cancelled}, report);
   EXPECT_EQ(status.code(), StatusCode::kCancelled) << status.message();
   EXPECT_EQ(ExitStatus(status.code()), 1);
   EXPECT_FALSE(std::filesystem::exists(job.output));
   EXPECT_FALSE(std::filesystem::exists(CertificatePath(job)));
   // The same job runs when nobody cancels it.
-  EXPECT_TRUE(RunCirclePatterns(job, {}, report).ok());
+  EXPECT_TRUE(RunOnMesh(job, {}, report).ok());
   EXPECT_TRUE(std::filesystem::exists(job.output));
   std::filesystem::remove_all(folder);
 }

@@ -15,7 +15,7 @@
 #include "cirque/pipeline/certificate.h"
 #include "cirque/verify/infeasibility_check.h"
 
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/job.h"
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 
@@ -78,7 +78,7 @@ TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {
     job.options.angle_solver = method;
     job.options.triangulation = SolvedTriangulation::kInput;
     std::ostringstream report;
-    EXPECT_EQ(RunCirclePatterns(job, {}, report).code(), StatusCode::kInfeasible);
+    EXPECT_EQ(RunOnMesh(job, {}, report).code(), StatusCode::kInfeasible);
     EXPECT_FALSE(std::filesystem::exists(Path("out.obj")));
     const auto checked = Check(soup, "out.certificate.json");
     EXPECT_TRUE(checked.accepted()) << checked.Verdict();
@@ -121,7 +121,7 @@ TEST_F(InfeasibleEndToEnd, ADiskForEveryShape) {
     job.options.triangulation = SolvedTriangulation::kInput;
     job.domain.name = domain;
     std::ostringstream report;
-    const Status status = RunCirclePatterns(job, {}, report);
+    const Status status = RunOnMesh(job, {}, report);
     EXPECT_EQ(status.code(), StatusCode::kInfeasible) << status.message();
     EXPECT_FALSE(std::filesystem::exists(Path(domain + ".obj")));
     const auto checked = Check(soup, domain + ".certificate.json");

@@ -184,6 +184,51 @@ TEST(CirclePatternsFlags, OptionsThatAreNotGivenAreAsTheDomainRecommends) {
   EXPECT_EQ(objective({"--domain=sphere", "--angle_objective=quadratic"}), "quadratic");
 }
 
+StatusOr<ExperimentConfig> ConfigOf(const std::string& method) {
+  const TemporaryFolder folder;
+  return LoadConfig(folder.Write(
+      "a.yaml", "question: why?\nmeshes: [{generator: torus}]\nmethods:\n  - " + method + "\n"));
+}
+
+TEST(OptionLoops, FlagsAndKeysLeaveTheSameToEveryDomain) {
+  for (const std::string& domain : Domains().Names()) {
+    for (const std::string& given : {std::string(), std::string("quadratic")}) {
+      SCOPED_TRACE(domain + " " + given);
+      std::vector<std::string> arguments = {"-io=a.obj", "-oo=b.obj", "--domain=" + domain};
+      if (!given.empty()) arguments.push_back("--angle_objective=" + given);
+      CirclePatternsFlags flags;
+      ASSERT_TRUE(flags.Parse(arguments).ok());
+      const auto config = ConfigOf("{name: a, domain: " + domain +
+                                   (given.empty() ? "}" : ", angle_objective: " + given + "}"));
+      ASSERT_TRUE(config.ok()) << config.status().message();
+      EXPECT_EQ(ParameterizeOptionTable().Values(config->runs[0].method.options),
+                ParameterizeOptionTable().Values(flags.Job()->options));
+    }
+  }
+}
+
+TEST(OptionLoops, WhatADomainRecommendsInAConfigIsNoted) {
+  const auto config = ConfigOf("{name: a, domain: [plane, sphere], epsilon: [1e-3, 1e-4]}");
+  ASSERT_TRUE(config.ok()) << config.status().message();
+  EXPECT_THAT(config->notes,
+              testing::UnorderedElementsAre(
+                  "a,domain=sphere,epsilon=1e-3: angle_objective: entropy, as the domain sphere "
+                  "recommends",
+                  "a,domain=sphere,epsilon=1e-4: angle_objective: entropy, as the domain sphere "
+                  "recommends"));
+  for (const PlannedRun& run : config->runs) {
+    const bool recommended = run.method.domain == "sphere";
+    EXPECT_EQ(run.method.options.angle_objective, recommended ? "entropy" : "quadratic");
+    EXPECT_EQ(run.method.recommended,
+              recommended ? OptionMap({{"angle_objective", "entropy"}}) : OptionMap());
+  }
+  const auto told = ConfigOf("{name: a, domain: sphere, angle_objective: barrier}");
+  ASSERT_TRUE(told.ok()) << told.status().message();
+  EXPECT_EQ(told->runs[0].method.options.angle_objective, "barrier");
+  EXPECT_TRUE(told->runs[0].method.recommended.empty());
+  EXPECT_TRUE(told->notes.empty());
+}
+
 TEST(CirclePatternsFlags, OldNamesStandForTheNewOnes) {
   for (const auto& [old, now] : {std::pair{"angle_fit", "angle_objective"},
                                  {"angle_strategy", "angle_solver"},

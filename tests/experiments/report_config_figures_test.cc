@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/experiment_report/config_figures.h"
+#include "experiments/experiment_report/figures.h"
 #include "tests/common/run_program.h"
 #include "tests/experiments/report_fixtures.h"
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/run_experiment/config/archive.h"
+#include "experiments/run_experiment/config/file_content.h"
 #include "experiments/run_experiment/run/mesh_files.h"
 #include "tests/common/temporary_folder.h"
 

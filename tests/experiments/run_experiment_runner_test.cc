@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/run_experiment/results/columns.h"
-#include "experiments/run_experiment/results/method_content.h"
+#include "experiments/run_experiment/results/record.h"
 #include "experiments/run_experiment/run/runner.h"
 #include "tests/common/temporary_folder.h"
 
@@ -161,7 +161,7 @@ TEST_F(RunExperimentTest, StopsBeforeTheNextRunAndGoesOnFromThere) {
   EXPECT_TRUE(rest.AllSettled());
 }
 
-TEST_F(RunExperimentTest, OnlyMapsAndProofsCountAsSettled) {
+TEST_F(RunExperimentTest, OnlyMapsAndInfeasibilityCertificatesCountAsSettled) {
   for (const auto& [outcome, settled] : std::map<std::string, bool>{{"ok", true},
                                                                     {"infeasible", true},
                                                                     {"not_converged", false},

@@ -8,15 +8,10 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "experiments/run_experiment/config/content_hash.h"
-#include "experiments/run_experiment/config/diagnostics.h"
-#include "experiments/run_experiment/config/figure_entries.h"
-#include "experiments/run_experiment/config/matrix.h"
-#include "experiments/run_experiment/config/mesh_entries.h"
-#include "experiments/run_experiment/config/method_entries.h"
-#include "experiments/run_experiment/config/run_settings.h"
-#include "experiments/run_experiment/config/scalars.h"
-#include "experiments/run_experiment/config/validate.h"
+#include "experiments/run_experiment/config/config_text.h"
+#include "experiments/run_experiment/config/entries.h"
+#include "experiments/run_experiment/config/file_content.h"
+#include "experiments/run_experiment/config/schema.h"
 
 namespace cirque {
 namespace {
@@ -68,23 +63,11 @@ bool IsExpandable(const YAML::Node& document, Diagnostics* problems) {
   return expandable;
 }
 
-std::string TextOr(const YAML::Node& document, const char* key, const std::string& otherwise) {
-  const YAML::Node value = document[key];
-  return value ? value.Scalar() : otherwise;
-}
-
 /// The list `seeds`, checked where it stands.
 std::vector<std::string> ReadSeeds(const YAML::Node& value, const YAML::Node& meshes,
                                    Diagnostics* problems) {
   if (!value) return {};
-  std::vector<std::string> seeds;
-  for (const YAML::Node& item : ItemsOf(value)) {
-    if (std::find(seeds.begin(), seeds.end(), item.Scalar()) != seeds.end()) {
-      problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
-      continue;
-    }
-    seeds.push_back(item.Scalar());
-  }
+  std::vector<std::string> seeds = DistinctItems(value, problems);
   const bool some_generated =
       meshes && meshes.IsSequence() &&
       std::any_of(meshes.begin(), meshes.end(),
@@ -109,6 +92,16 @@ void CheckRuns(const ExperimentConfig& config, Diagnostics* problems) {
   }
 }
 
+/// What methods do because their domain recommends it.
+void NoteRecommendations(const std::vector<MethodSpec>& methods, std::vector<std::string>* notes) {
+  for (const MethodSpec& method : methods) {
+    for (const auto& [option, value] : method.recommended) {
+      notes->push_back(fmt::format("{}: {}: {}, as the domain {} recommends", method.name, option,
+                                   value, method.domain));
+    }
+  }
+}
+
 void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* config) {
   const std::string root = RootOf(config->path);
   const auto seeds = ReadSeeds(document["seeds"], document["meshes"], problems);
@@ -123,6 +116,7 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   }
   config->question = document["question"].Scalar();
   config->notes = std::move(entries.notes);
+  NoteRecommendations(methods, &config->notes);
   config->runs = PlanRuns(entries.meshes, methods, repeats);
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();

@@ -1,5 +1,3 @@
-#include "experiments/run_experiment/config/mesh_entries.h"
-
 #include <glob.h>
 
 #include <cstdlib>
@@ -12,9 +10,9 @@
 
 #include "cirque/generators/known_maps.h"
 
-#include "experiments/run_experiment/config/archive.h"
-#include "experiments/run_experiment/config/matrix.h"
-#include "experiments/run_experiment/config/scalars.h"
+#include "experiments/run_experiment/config/config_text.h"
+#include "experiments/run_experiment/config/entries.h"
+#include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cirque/core/status.h"
 #include "cirque/generators/generators.h"
 #include "cirque/pipeline/parameterize.h"
 
@@ -27,6 +28,7 @@ struct MethodSpec {
   std::string name;  ///< unique within a config
   ParameterizeOptions options;
   std::string domain = "plane";  ///< a name of Domains()
+  OptionMap recommended = {};    ///< those of `options` that the domain, not the config, has chosen
 };
 
 /// What a run may take before it is ended; 0: anything.
@@ -58,5 +60,21 @@ bool MatchesPattern(const PlannedRun& run, const std::string& pattern);
 
 /// The runs whose label contains `text`; where that is a pattern, those whose label is it.
 std::vector<PlannedRun> SelectRuns(const std::vector<PlannedRun>& runs, const std::string& text);
+
+/// One of several parts of an experiment that are run apart, on machines that share the folder.
+struct Shard {
+  int index = 1, count = 1;  ///< from 1 to count
+
+  bool IsWhole() const { return count == 1; }
+  /// Where the part's records are kept: results.jsonl, or results.shard-2-of-8.jsonl.
+  std::string FileName() const;
+};
+
+/// Reads "2/8".
+StatusOr<Shard> ParseShard(const std::string& text);
+
+/// The shard's runs in their order. Together the shards have every run once; which run goes
+/// where hangs on its name alone, so that slow methods and large meshes are spread.
+std::vector<PlannedRun> SelectShard(const std::vector<PlannedRun>& runs, const Shard& shard);
 
 }  // namespace cirque

@@ -1,24 +1,12 @@
-#include "experiments/run_experiment/config/run_settings.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "experiments/run_experiment/config/scalars.h"
+#include "experiments/run_experiment/config/config.h"
+#include "experiments/run_experiment/config/config_text.h"
 
 namespace cirque {
 namespace {
-
-std::vector<std::string> ReadMeasures(const YAML::Node& value, Diagnostics* problems) {
-  std::vector<std::string> names;
-  for (const YAML::Node& item : ItemsOf(value)) {
-    if (std::find(names.begin(), names.end(), item.Scalar()) != names.end()) {
-      problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
-    }
-    names.push_back(item.Scalar());
-  }
-  return names;
-}
 
 double NumberOrZero(const YAML::Node& value) {
   return value ? ParseNumber(value.Scalar()).value_or(0) : 0;
@@ -52,12 +40,6 @@ void CheckPatterns(const YAML::Node& document, const std::vector<PlannedRun>& ru
 
 }  // namespace
 
-std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
-  if (!value) return {};
-  if (value.IsScalar()) return {value};
-  return {value.begin(), value.end()};
-}
-
 void ApplyRunSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
                       ExperimentConfig* config) {
   std::vector<PlannedRun>& runs = config->runs;
@@ -68,7 +50,7 @@ void ApplyRunSettings(const YAML::Node& document, bool some_skipped, Diagnostics
     return (!include.empty() && !IsNamed(include, run)) || IsNamed(exclude, run);
   });
   if (runs.empty()) problems->Add({}, "nothing to run: include and exclude leave no run");
-  const std::vector<std::string> measures = ReadMeasures(document["measures"], problems);
+  const std::vector<std::string> measures = DistinctItems(document["measures"], problems);
   const RunLimits limits = {NumberOrZero(document["time_limit"]),
                             NumberOrZero(document["memory_limit"])};
   const auto keep = ItemsOf(document["keep_maps"]);

@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <yaml-cpp/yaml.h>
+
 #include "cirque/core/option.h"
+
+#include "experiments/run_experiment/config/config_text.h"
 
 namespace cirque {
 
@@ -51,5 +55,15 @@ std::string ConfigHelp(const Schema& schema);
 
 /// The same as the page experiments/CONFIG.md.
 std::string ConfigMarkdown(const Schema& schema);
+
+/// Holds the document against the schema and reports everything that is wrong with it: keys that
+/// are unknown, missing, doubled or in the wrong company; values of the wrong type or out of range;
+/// empty lists.
+void Validate(const YAML::Node& document, const Schema& schema, Diagnostics* problems);
+
+/// Puts what keys and choices are called now where the document has what they were called once.
+/// Returns a line for each old word, of its first place.
+std::vector<std::string> UseNewWords(const YAML::Node& document, const Schema& schema,
+                                     const Diagnostics& places);
 
 }  // namespace cirque

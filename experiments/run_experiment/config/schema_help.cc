@@ -76,11 +76,11 @@ The folder `output` holds
   `radii`), `peak_memory_mib`, `limits`, `map`, `provenance` (commit, config and its hash, libraries,
   CPU, threads, start).
 - `results.csv`: the same as a table.
-- `certificates/KEY.json`: the proof of an infeasible run; `maps/KEY.obj`, `maps/KEY.certificate.json`:
+- `certificates/KEY.json`: the infeasibility certificate of a run; `maps/KEY.obj`, `maps/KEY.certificate.json`:
   a map that was kept.
 - `results.shard-I-of-N.jsonl`: the records of a shard, until `--merge` takes them into `results.jsonl`.
 
-Outcomes: `ok`; `infeasible` (proven); `not_converged`; `unrepresentable`; `invalid_input`; `cancelled`
+Outcomes: `ok`; `infeasible` (with a certificate); `not_converged`; `unrepresentable`; `invalid_input`; `cancelled`
 (made again); `exception` (the run threw); `crash` (its process ended without a record); `time_limit`
 and `memory_limit` (made again when the limit is raised). Each but `ok` has a `message`.
 )";

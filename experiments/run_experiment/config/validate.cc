@@ -1,5 +1,3 @@
-#include "experiments/run_experiment/config/validate.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -9,7 +7,8 @@
 
 #include "cirque/core/text.h"
 
-#include "experiments/run_experiment/config/scalars.h"
+#include "experiments/run_experiment/config/config_text.h"
+#include "experiments/run_experiment/config/schema.h"
 
 namespace cirque {
 namespace {

@@ -21,7 +21,7 @@
 #include "cirque/core/version.h"
 
 #include "experiments/common/blas_threads.h"
-#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
 namespace {

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 
+#include "cirque/core/name_with_options.h"
 #include "cirque/core/status.h"
 #include "cirque/pipeline/certificate.h"
 
-#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
 namespace {
@@ -46,6 +48,23 @@ nlohmann::json LimitsJson(const RunLimits& limits) {
 bool IsRaised(const Record& record, const char* name, double limit) {
   const auto limits = record.value("limits", nlohmann::json::object());
   return limit == 0 || limit > limits.value(name, 0.0);
+}
+
+StatusOr<std::string> HashOfFile(const std::string& path) {
+  const StatusOr<std::string> content = ReadWholeFile(path);
+  return content.ok() ? StatusOr<std::string>(HashOf(*content)) : content.status();
+}
+
+/// Puts the hash of the cone file into the place of its name, where the heuristic reads one. Words
+/// that are no heuristic with options are the run's to refuse.
+Status HashConeFile(const std::string& cones, nlohmann::json* method) {
+  StatusOr<NameWithOptions> named = ParseNameWithOptions(cones);
+  if (!named.ok() || named->name != "given" || !named->options.contains("file")) return Status();
+  const StatusOr<std::string> hash = HashOfFile(named->options["file"]);
+  if (!hash.ok()) return hash.status().In("cones");
+  named->options["file"] = *hash;
+  (*method)["cones"] = {{"name", named->name}, {"options", named->options}};
+  return Status();
 }
 
 }  // namespace
@@ -92,6 +111,7 @@ Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMe
       {"seconds", NumbersJson(SecondsOf(result.certificate))},
       {"provenance", provenance},
   };
+  if (!run.method.recommended.empty()) record["method"]["recommended"] = run.method.recommended;
   if (!run.measures.empty()) record["measures"] = run.measures;
   if (result.cpu_seconds > 0) {
     record["cpu_seconds"] = result.cpu_seconds;
@@ -129,6 +149,18 @@ bool IsFinished(const Record& record, const PlannedRun& run) {
 bool IsSettled(const Record& record) {
   const std::string outcome = OutcomeOf(record);
   return outcome == ToString(StatusCode::kOk) || outcome == ToString(StatusCode::kInfeasible);
+}
+
+StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
+  nlohmann::json json = MethodJson(method);
+  const ParameterizeOptions& options = method.options;
+  if (!options.edge_costs.empty()) {
+    const StatusOr<std::string> hash = HashOfFile(options.edge_costs);
+    if (!hash.ok()) return hash.status().In("edge_costs");
+    json["edge_costs"] = *hash;
+  }
+  if (Status status = HashConeFile(options.cones, &json); !status.ok()) return status;
+  return json;
 }
 
 }  // namespace cirque

@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cirque/core/status.h"
+
+#include "experiments/run_experiment/config/planned_run.h"
 #include "experiments/run_experiment/run/carry_out.h"
 #include "experiments/run_experiment/run/mesh_files.h"
 
@@ -38,7 +41,11 @@ std::string OutcomeOf(const Record& record);
 /// than the run's, and left its map where the run keeps it.
 bool IsFinished(const Record& record, const PlannedRun& run);
 
-/// Whether the run ended as it should: in a map, or in the proof that there is none.
+/// Whether the run ended as it should: in a map, or in an infeasibility certificate.
 bool IsSettled(const Record& record);
+
+/// A method with every option, files (of edge costs, of cones) by the hash of what they hold
+/// instead of by name. Error (invalid input): such a file cannot be read.
+StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method);
 
 }  // namespace cirque

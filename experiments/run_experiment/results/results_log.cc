@@ -1,22 +1,29 @@
 #include "experiments/run_experiment/results/results_log.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
 
-#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
 namespace {
+
+constexpr int kAttempts = 20;
+constexpr std::chrono::milliseconds kPause(50);
 
 namespace fs = std::filesystem;
 
@@ -66,6 +73,33 @@ class AppendOnlyFile {
 };
 
 }  // namespace
+
+StatusOr<FileLock> FileLock::Take(const std::string& path) {
+  FileLock lock;
+  lock.descriptor_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock.descriptor_ < 0) {
+    return Status::InvalidInput(fmt::format("{}: cannot open: {}", path, std::strerror(errno)));
+  }
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+    std::this_thread::sleep_for(kPause);
+  }
+  return Status::InvalidInput(
+      path +
+      ": another run_experiment writes these results; wait for its end, or give each of them "
+      "a part of the runs (--shard)");
+}
+
+FileLock::FileLock(FileLock&& other) noexcept { *this = std::move(other); }
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
 
 StatusOr<ResultsLog> ResultsLog::Open(const std::string& folder, const Shard& shard) {
   const fs::path own = fs::path(folder) / shard.FileName();

@@ -6,11 +6,26 @@
 
 #include "cirque/core/status.h"
 
-#include "experiments/run_experiment/config/shard.h"
-#include "experiments/run_experiment/results/file_lock.h"
+#include "experiments/run_experiment/config/planned_run.h"
 #include "experiments/run_experiment/results/record.h"
 
 namespace cirque {
+
+/// Keeps other processes from a file for as long as this object, or its process, lives.
+class FileLock {
+ public:
+  /// Waits a moment where another process holds the lock, then refuses. A file system without locks
+  /// gives a lock that keeps nobody out.
+  static StatusOr<FileLock> Take(const std::string& path);
+
+  FileLock() = default;
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+  ~FileLock();
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// The records of a folder of results: append-only files, one JSON object a line, one file for each
 /// shard and results.jsonl for all. Every file is read, only the own one is written, by one process

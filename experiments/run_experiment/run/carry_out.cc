@@ -8,7 +8,6 @@
 #include "cirque/mesh/surface.h"
 
 #include "experiments/common/process.h"
-#include "experiments/run_experiment/run/map_run.h"
 
 namespace cirque {
 namespace {
@@ -57,16 +56,6 @@ StatusOr<Input> ReadInput(const MeshSpec& mesh, const std::string& path, RunResu
   return Input{*std::move(soup), *std::move(surface)};
 }
 
-/// The fastest of a few: the first pays for the memory.
-ReferenceFactorization TimeReference(const Surface& surface) {
-  ReferenceFactorization best = TimeReferenceFactorization(surface);
-  for (int i = 1; i < kReferenceRepeats; ++i) {
-    const ReferenceFactorization again = TimeReferenceFactorization(surface);
-    if (again.cpu_seconds < best.cpu_seconds) best = again;
-  }
-  return best;
-}
-
 Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
   const Timer timer;
   const double cpu_before = ProcessCpuSeconds();
@@ -79,7 +68,9 @@ Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
   result->cpu_seconds = cpu_after - cpu_before;
   result->map_cpu_seconds = cpu_after - cpu_at_map;
   result->peak_memory_mib = PeakMemoryMib();
-  if (run.reference && input.ok()) result->reference = TimeReference(input->surface);
+  if (run.reference && input.ok()) {
+    result->reference = TimeReferenceFactorization(input->surface, kReferenceRepeats);
+  }
   return status;
 }
 

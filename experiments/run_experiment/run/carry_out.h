@@ -4,8 +4,10 @@
 #include <map>
 #include <string>
 
+#include "cirque/core/status.h"
 #include "cirque/core/types.h"
 #include "cirque/io/polygon_soup.h"
+#include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/common/reference_factorization.h"
@@ -35,5 +37,11 @@ using RunFunction = std::function<RunResult(const PlannedRun& run, const std::st
 /// The real one: read or generate, preflight, subdivide, map to the domain, measure; then the
 /// reference.
 RunResult ParameterizeRun(const PlannedRun& run, const std::string& mesh_path);
+
+/// Maps the surface to the run's domain with the run's method and measures the map: certificate
+/// and, where the run keeps it, map of the result. `soup` is what the surface was made of. Stages
+/// that the certificate has timed already keep their times.
+Status MapRun(const PlannedRun& run, const PolygonSoup& soup, const Surface& surface,
+              RunResult* result);
 
 }  // namespace cirque

@@ -6,8 +6,7 @@
 
 #include "cirque/core/atomic_file.h"
 
-#include "experiments/run_experiment/config/archive.h"
-#include "experiments/run_experiment/config/content_hash.h"
+#include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
 namespace {

@@ -8,8 +8,8 @@
 #include "cirque/core/atomic_file.h"
 
 #include "experiments/run_experiment/results/columns.h"
-#include "experiments/run_experiment/results/method_content.h"
 #include "experiments/run_experiment/results/provenance.h"
+#include "experiments/run_experiment/results/record.h"
 #include "experiments/run_experiment/results/results_log.h"
 #include "experiments/run_experiment/run/mesh_files.h"
 #include "experiments/run_experiment/run/progress.h"

@@ -8,7 +8,7 @@
 #include "cirque/core/status.h"
 
 #include "experiments/run_experiment/config/config.h"
-#include "experiments/run_experiment/config/shard.h"
+#include "experiments/run_experiment/config/planned_run.h"
 #include "experiments/run_experiment/results/record.h"
 #include "experiments/run_experiment/run/carry_out.h"
 
@@ -32,7 +32,7 @@ struct RunSummary {
   int skipped_lines = 0;        ///< unreadable lines found in results.jsonl
   bool stopped = false;         ///< whether it was asked to stop before the last run
 
-  /// Whether all runs have been made and each ended in a map or a proof that there is none.
+  /// Whether all runs have been made and each ended in a map or an infeasibility certificate.
   bool AllSettled() const;
 };
 

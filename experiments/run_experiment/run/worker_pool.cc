@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "cirque/core/parallel.h"
+
+#include "experiments/common/blas_threads.h"
+#include "experiments/common/process.h"
 
 namespace cirque {
 namespace {
@@ -60,6 +67,15 @@ Record RecordOf(const ReadyRun& ready, const ChildProcess& process) {
   return LimitRecord(ready, kMemoryLimit, process.Seconds(), mib);
 }
 
+std::string ReadStandardInput() {
+  std::string bytes;
+  char block[1 << 12];
+  while (const std::size_t size = std::fread(block, 1, sizeof(block), stdin)) {
+    bytes.append(block, size);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 WorkerPool::WorkerPool(int size, std::vector<std::string> worker)
@@ -99,6 +115,25 @@ std::vector<EndedRun> WorkerPool::LookOnce() {
     run = active_.erase(run);
   }
   return ended;
+}
+
+int RunWorker(const RunFunction& carry_out) {
+  StatusOr<ReadyRun> ready = UnpackRun(ReadStandardInput());
+  if (!ready.ok()) {
+    fmt::print(stderr, "{}\n", ready.status().message());
+    return 1;
+  }
+  const ThreadLimit limit(ThreadsByEnvironment());
+  ready->provenance["blas_threads"] = NumBlasThreads();
+  ready->provenance["threads"] = NumThreads();
+  StatusOr<Record> record = CarryOut(*ready, carry_out);
+  if (!record.ok()) {
+    fmt::print(stderr, "{}\n", record.status().message());
+    return 1;
+  }
+  if (!record->contains("peak_memory_mib")) (*record)["peak_memory_mib"] = PeakMemoryMib();
+  fmt::print("{}\n", ToLine(*record));
+  return std::fflush(stdout) == 0 ? 0 : 1;
 }
 
 }  // namespace cirque

@@ -75,6 +75,13 @@ struct Domain {
 
   bool Reads(const std::string& option) const;
   bool Gives(const std::string& member) const;
+
+  /// The options that are recommended otherwise than ParameterizeOptions has them.
+  OptionMap Recommendations() const;
+
+  /// The options that are given, by their names in ParameterizeOptionTable(), and all others as
+  /// recommended. Error (invalid input): what the table refuses.
+  StatusOr<ParameterizeOptions> OptionsWith(const OptionMap& given) const;
 };
 
 /// Maps a surface onto a domain: the library's one way from a surface to its map. Errors:

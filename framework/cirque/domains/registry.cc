@@ -77,6 +77,20 @@ bool Domain::Reads(const std::string& option) const { return Contains(reads, opt
 
 bool Domain::Gives(const std::string& member) const { return Contains(gives, member); }
 
+OptionMap Domain::Recommendations() const {
+  const OptionMap plain = ParameterizeOptionTable().Values({});
+  OptionMap different = ParameterizeOptionTable().Values(recommended);
+  std::erase_if(different,
+                [&](const auto& option) { return plain.at(option.first) == option.second; });
+  return different;
+}
+
+StatusOr<ParameterizeOptions> Domain::OptionsWith(const OptionMap& given) const {
+  ParameterizeOptions options = recommended;
+  const Status status = ParameterizeOptionTable().Set(given, &options);
+  return status.ok() ? StatusOr<ParameterizeOptions>(std::move(options)) : status;
+}
+
 bool IsReadBySomeDomain(const std::string& option) {
   const std::vector<std::string> names = Domains().Names();
   return std::any_of(names.begin(), names.end(),

@@ -18,7 +18,7 @@ std::vector<Option<O>> SolveOptions() {
   return {{"triangulation", &O::triangulation,
            "intrinsic Delaunay flips first, or the input's connectivity"},
           Option<O>("angle_objective", &O::angle_objective,
-                    "the objective of the angle fit; circle_patterns takes entropy for the sphere, "
+                    "the objective of the angle fit; for the sphere the programs take entropy, "
                     "unless told otherwise")
               .OneOf(AngleObjectives().Names())
               .Formerly("angle_fit"),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "cirque/core/status.h"
 
@@ -13,5 +14,11 @@ StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::s
 
 /// Whether the archive has the member, without reading its content; the same errors.
 Status FindArchiveMember(const std::string& archive, const std::string& member);
+
+/// 16 hexadecimal digits (XXH3, 64 bits) that name a content; not meant to withstand an attacker.
+std::string HashOf(std::string_view content);
+
+/// The bytes of a regular file; errors name it.
+StatusOr<std::string> ReadWholeFile(const std::string& path);
 
 }  // namespace cirque

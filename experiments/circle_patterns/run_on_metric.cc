@@ -7,9 +7,9 @@
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 
+#include "experiments/circle_patterns/job.h"
 #include "experiments/circle_patterns/outputs.h"
-#include "experiments/circle_patterns/prescriptions.h"
-#include "experiments/circle_patterns/run.h"
+#include "experiments/circle_patterns/request.h"
 
 namespace cirque {
 namespace {

@@ -1,6 +1,8 @@
-#include "experiments/run_experiment/config/diagnostics.h"
+#include "experiments/run_experiment/config/config_text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -18,6 +20,15 @@ std::string BlanksFor(std::string_view text) {
     if (!continues_character) blanks += c == '\t' ? '\t' : ' ';
   }
   return blanks;
+}
+
+template <class T>
+std::optional<T> ParseWhole(const std::string& text) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
 }
 
 }  // namespace
@@ -63,6 +74,44 @@ std::string Diagnostics::Excerpt(Place place) const {
   return fmt::format("  {}\n  {}^\n", line,
                      BlanksFor(std::string_view(line).substr(
                          0, std::min<std::size_t>(line.size(), place.column - 1))));
+}
+
+std::optional<long long> ParseInteger(const std::string& text) {
+  return ParseWhole<long long>(text);
+}
+
+std::optional<double> ParseNumber(const std::string& text) {
+  const std::optional<double> value = ParseWhole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<bool> ParseBoolean(const std::string& text) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  return std::nullopt;
+}
+
+std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
+  if (!value) return {};
+  if (value.IsScalar()) return {value};
+  return {value.begin(), value.end()};
+}
+
+std::vector<std::string> DistinctItems(const YAML::Node& value, Diagnostics* problems) {
+  std::vector<std::string> texts;
+  for (const YAML::Node& item : ItemsOf(value)) {
+    if (std::find(texts.begin(), texts.end(), item.Scalar()) != texts.end()) {
+      problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
+      continue;
+    }
+    texts.push_back(item.Scalar());
+  }
+  return texts;
+}
+
+std::string TextOr(const YAML::Node& map, const char* key, const std::string& otherwise) {
+  const YAML::Node value = map[key];
+  return value ? value.Scalar() : otherwise;
 }
 
 }  // namespace cirque

@@ -1,21 +1,17 @@
-#include "experiments/circle_patterns/run.h"
-
-#include <filesystem>
+// The program on meshes.
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cirque/core/atomic_file.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/holes.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/pipeline/infeasibility_files.h"
 
-#include "experiments/circle_patterns/domains.h"
+#include "experiments/circle_patterns/job.h"
 #include "experiments/circle_patterns/outputs.h"
-#include "experiments/circle_patterns/summary.h"
+#include "experiments/circle_patterns/request.h"
 #include "experiments/common/process.h"
 
 namespace cirque {
@@ -31,48 +27,9 @@ StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
   return std::optional<FilledSurface>(*std::move(filled));
 }
 
-/// The faces and vertices that carry a proof, as a table and as a coloured mesh.
-Status WriteCarriers(const std::string& stem, const Surface& surface,
-                     const InfeasibilityCertificate& proof, std::ostream& report) {
-  const std::string csv = stem + ".infeasible.csv", ply = stem + ".infeasible.ply";
-  if (Status s = WriteFileAtomically(csv, InfeasibilityCsv(proof)); !s.ok()) return s;
-  if (Status s = WriteFileAtomically(ply, InfeasibilityPly(surface, proof)); !s.ok()) return s;
-  report << "carriers    " << csv << ", " << ply << "\n";
-  return Status();
-}
-
 }  // namespace
 
-std::string CarrierStem(const CirclePatternsJob& job) {
-  const std::string path = CertificatePath(job);
-  for (const std::string ending : {".certificate.json", ".json"}) {
-    if (path.ends_with(ending)) return path.substr(0, path.size() - ending.size());
-  }
-  return path;
-}
-
-std::string CertificatePath(const CirclePatternsJob& job) {
-  if (!job.certificate.empty()) return job.certificate;
-  const std::string& output = job.output.empty() ? job.con : job.output;
-  return std::filesystem::path(output).replace_extension(".certificate.json").string();
-}
-
-Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
-                        Certificate* certificate, const Status& status, std::ostream& report) {
-  certificate->process = ProcessSummary{PeakMemoryMib()};
-  certificate->seconds.process = timer.Seconds();
-  const std::string path = CertificatePath(job);
-  if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
-  report << "certificate " << path << "\n";
-  const InfeasibilityCertificate& proof = certificate->infeasibility;
-  if (!proof.empty()) {
-    if (Status s = WriteCarriers(CarrierStem(job), surface, proof, report); !s.ok()) return s;
-  }
-  return status;
-}
-
-Status RunCirclePatterns(const CirclePatternsJob& job, const SolveControl& control,
-                         std::ostream& report) {
+Status RunOnMesh(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {
   const Timer timer;
   if (Status s = CheckOutputNames(job); !s.ok()) return s;
   const StatusOr<PolygonSoup> soup = ReadMesh(job.input);

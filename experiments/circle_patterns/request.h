@@ -6,11 +6,17 @@
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/cuts/edge_files.h"
+#include "cirque/domains/domain.h"
 #include "cirque/io/cone_file.h"
 
 #include "experiments/circle_patterns/job.h"
 
 namespace cirque {
+
+/// What the job asks of a map of the surface. Vertices that the job names are those of a mesh file
+/// with `num_file_vertices` vertices, from 1.
+StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vertices,
+                               const Surface& surface);
 
 /// The angle sums that the job's files prescribe; nothing when it names none.
 StatusOr<std::optional<ConeTargets>> PrescribedTargets(const CirclePatternsJob& job,

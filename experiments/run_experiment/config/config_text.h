@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,21 @@ class Diagnostics {
   std::vector<std::string> lines_;
   std::vector<Problem> problems_;
 };
+
+/// One value or a list of them; nothing where the key is not given.
+std::vector<YAML::Node> ItemsOf(const YAML::Node& value);
+
+/// Their texts. One that stands there twice is a problem.
+std::vector<std::string> DistinctItems(const YAML::Node& value, Diagnostics* problems);
+
+/// The text of a key's value, or `otherwise` where the key is not given.
+std::string TextOr(const YAML::Node& map, const char* key, const std::string& otherwise);
+
+/// The whole text as a number, or nothing: no octal, no trailing characters, no infinities.
+std::optional<long long> ParseInteger(const std::string& text);
+std::optional<double> ParseNumber(const std::string& text);
+
+/// "true" and "false" only: YAML's other spellings of them are a trap.
+std::optional<bool> ParseBoolean(const std::string& text);
 
 }  // namespace cirque
