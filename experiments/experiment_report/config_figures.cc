@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/records.h"
 #include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/html.h"

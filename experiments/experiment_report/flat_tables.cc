@@ -1,27 +1,16 @@
 #include "experiments/experiment_report/flat_tables.h"
 
-#include <algorithm>
 #include <map>
 
 #include "cirque/core/text.h"
+
+#include "experiments/common/records.h"
 
 namespace cirque::experiment_report {
 namespace {
 
 using nlohmann::json;
 using Row = std::map<std::string, json>;
-
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string CsvField(const json& value) {
-  if (value.is_null()) return "";
-  return Quoted(value.is_string() ? value.get<std::string>() : value.dump());
-}
 
 std::string ColumnName(const std::string& outer, const std::string& inner) {
   if (outer.empty()) return inner;
@@ -69,7 +58,7 @@ void AddHistory(const Run& run, const std::string& stage, const std::string& str
 
 std::string FlatTable::Csv() const {
   std::vector<std::string> fields;
-  for (const std::string& column : columns) fields.push_back(Quoted(column));
+  for (const std::string& column : columns) fields.push_back(CsvField(column));
   std::string csv = Join(fields, ",") + "\n";
   for (const std::vector<json>& row : rows) {
     fields.clear();

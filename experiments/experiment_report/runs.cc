@@ -1,23 +1,18 @@
 #include "experiments/experiment_report/runs.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
+
+#include "experiments/common/records.h"
 
 namespace cirque::experiment_report {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-bool IsRecord(const json& line) {
-  return line.is_object() && line.contains("key") && line["key"].is_string() &&
-         line.contains("outcome") && line["outcome"].is_string();
-}
 
 /// Records of earlier releases have the methods' keys by their old names.
 void UseNewNames(json* record) {
@@ -50,40 +45,27 @@ Run MakeRun(json record) {
   return run;
 }
 
-/// results.jsonl first, then the shards by name.
-std::vector<fs::path> LogFiles(const fs::path& folder) {
-  std::vector<fs::path> shards;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename();
-    if (name.starts_with("results.shard-") && name.ends_with(".jsonl")) {
-      shards.push_back(entry.path());
-    }
-  }
-  std::sort(shards.begin(), shards.end());
-  if (fs::exists(folder / "results.jsonl", error)) {
-    shards.insert(shards.begin(), folder / "results.jsonl");
-  }
-  return shards;
-}
-
 std::string Started(const Run& run) { return TextAt(run.record, "/provenance/started"); }
 
 /// What a run is of, whichever code made it: the record without what came out.
 std::string Identity(const Run& run) {
-  json cell = run.record;
+  json identity = run.record;
   for (const char* name :
        {"key", "outcome", "message", "overlap", "values", "seconds", "history", "map", "provenance",
         "peak_memory_mib", "cpu_seconds", "map_cpu_seconds", "reference", "limits"}) {
-    cell.erase(name);
+    identity.erase(name);
   }
-  cell["mesh"] = {run.mesh, run.mesh_hash};
-  return run.mesh.empty() || run.method.empty() ? run.key : cell.dump();
+  // Who chose an option is no part of what the method is.
+  if (identity.contains("method") && identity["method"].is_object()) {
+    identity["method"].erase("recommended");
+  }
+  identity["mesh"] = {run.mesh, run.mesh_hash};
+  return run.mesh.empty() || run.method.empty() ? run.key : identity.dump();
 }
 
 class Collector {
  public:
-  void Add(const fs::path& file) {
+  void Add(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line);) {
       if (line.empty()) continue;
@@ -119,21 +101,6 @@ class Collector {
 
 }  // namespace
 
-double NumberAt(const json& value, const std::string& pointer) {
-  const json::json_pointer place(pointer);
-  if (!value.contains(place) || !value.at(place).is_number()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return value.at(place).get<double>();
-}
-
-std::string TextAt(const json& value, const std::string& pointer) {
-  const json::json_pointer place(pointer);
-  if (!value.contains(place) || value.at(place).is_null()) return "";
-  const json& found = value.at(place);
-  return found.is_string() ? found.get<std::string>() : found.dump();
-}
-
 double Run::Value(const std::string& name) const {
   return NumberAt(record, (json::json_pointer("/values") / name).to_string());
 }
@@ -144,9 +111,9 @@ StatusOr<Results> ReadResults(const std::string& folder) {
     return Status::InvalidInput(
         fmt::format("{}: no such folder; name the `output` of an experiment's config", folder));
   }
-  const std::vector<fs::path> files = LogFiles(folder);
+  const std::vector<std::string> files = RecordFiles(folder);
   Collector collector;
-  for (const fs::path& file : files) collector.Add(file);
+  for (const std::string& file : files) collector.Add(file);
   Results results = collector.Take();
   if (!results.runs.empty()) return results;
   return Status::InvalidInput(
@@ -155,7 +122,7 @@ StatusOr<Results> ReadResults(const std::string& folder) {
                                   folder)
                     : fmt::format("{}: holds no record yet ({} unreadable): wait for the first run "
                                   "to end",
-                                  files.front().string(), results.skipped_lines));
+                                  files.front(), results.skipped_lines));
 }
 
 }  // namespace cirque::experiment_report

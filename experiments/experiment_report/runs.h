@@ -21,12 +21,6 @@ struct Run {
   double Value(const std::string& name) const;
 };
 
-/// The number at a JSON pointer, NaN where there is none.
-double NumberAt(const nlohmann::json& json, const std::string& pointer);
-
-/// The string at a JSON pointer, numbers and lists as JSON writes them; empty where there is none.
-std::string TextAt(const nlohmann::json& json, const std::string& pointer);
-
 struct Results {
   std::vector<Run> runs;
   int superseded = 0;     ///< records left out for later ones of the same run, made by other code

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/records.h"
 #include "experiments/experiment_report/html.h"
 #include "experiments/experiment_report/page.h"
 

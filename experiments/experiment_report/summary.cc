@@ -6,6 +6,7 @@
 
 #include "cirque/core/text.h"
 
+#include "experiments/common/records.h"
 #include "experiments/experiment_report/html.h"
 #include "experiments/experiment_report/page.h"
 

@@ -1,6 +1,5 @@
 // Meshes without coherent angles, through the program's files into the independent checker.
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include <Eigen/Geometry>
@@ -18,6 +17,7 @@
 #include "experiments/circle_patterns/job.h"
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
+#include "tests/common/temporary_folder.h"
 
 namespace cirque {
 namespace {
@@ -25,23 +25,10 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A folder that goes with the test.
 class InfeasibleEndToEnd : public ::testing::Test {
  protected:
-  InfeasibleEndToEnd() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~InfeasibleEndToEnd() override { std::filesystem::remove_all(folder_); }
-
-  std::string Path(const std::string& name) const { return folder_ / name; }
-
-  std::string ReadAll(const std::string& name) const {
-    std::ifstream file(Path(name));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+  std::string Path(const std::string& name) const { return folder_.Path(name); }
+  std::string ReadAll(const std::string& name) const { return folder_.Read(name); }
 
   verify::InfeasibilityReport Check(const PolygonSoup& soup, const std::string& certificate) const {
     const auto proof = verify::ReadInfeasibilityCertificate(Path(certificate));
@@ -51,10 +38,7 @@ class InfeasibleEndToEnd : public ::testing::Test {
     return *report;
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      ("infeasible_" +
-       std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  TemporaryFolder folder_;
 };
 
 PolygonSoup SoupOf(const Surface& surface) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/common/records.h"
 #include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/flat_tables.h"
 #include "experiments/experiment_report/runs.h"
@@ -41,6 +42,19 @@ TEST(ReportResults, LaterRecordOfTheSameRunHolds) {
   EXPECT_EQ(results.superseded, 1);
   later["method"]["epsilon"] = 0.01;
   EXPECT_EQ(ResultsOf({later, earlier}).runs.size(), 2u);
+}
+
+TEST(ReportResults, WhoChoseAnOptionMakesNoOtherRun) {
+  json earlier = ReportRecord("a", "m", 1), later = ReportRecord("a", "m", 2);
+  earlier["method"]["angle_objective"] = later["method"]["angle_objective"] = "entropy";
+  later["method"]["recommended"] = {{"angle_objective", "entropy"}};
+  later["provenance"]["started"] = "2026-01-02T00:00:00Z";
+  later["key"] = "other code";
+  const Results results = ResultsOf({earlier, later});
+  ASSERT_EQ(results.runs.size(), 1u);
+  EXPECT_EQ(results.runs[0].seconds, 2);
+  EXPECT_EQ(TextAt(results.runs[0].record, "/method/recommended"),
+            R"({"angle_objective":"entropy"})");
 }
 
 TEST(ReportResults, RaisedLimitReplacesTheRecordOfItsKey) {

@@ -8,6 +8,8 @@
 #include "cirque/core/text.h"
 #include "cirque/pipeline/options.h"
 
+#include "experiments/common/records.h"
+
 namespace cirque {
 namespace {
 
@@ -68,23 +70,12 @@ nlohmann::json ValueAt(const Record& record, const Column& column) {
   return record.contains(pointer) ? record.at(pointer) : nlohmann::json();
 }
 
-std::string PlainText(const nlohmann::json& value) {
-  if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string ShownText(const nlohmann::json& value, const Column& column) {
   if (value.is_number() && !column.format.empty()) {
     return fmt::format(fmt::runtime(column.format), value.get<double>());
   }
-  return value.is_null() ? "-" : PlainText(value);
+  if (value.is_null()) return "-";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 /// A column of text as the terminal shows it, its heading first.
@@ -138,12 +129,12 @@ std::vector<Column> ColumnsFor(const std::vector<Record>& records) {
 std::string ToCsv(const std::vector<Record>& records) {
   const std::vector<Column> columns = ColumnsFor(records);
   std::vector<std::string> cells;
-  for (const Column& column : columns) cells.push_back(Quoted(column.name));
+  for (const Column& column : columns) cells.push_back(CsvField(column.name));
   std::string csv = Join(cells, ",") + "\n";
   for (const Record& record : records) {
     cells.clear();
     for (const Column& column : columns) {
-      cells.push_back(Quoted(PlainText(ValueAt(record, column))));
+      cells.push_back(CsvField(ValueAt(record, column)));
     }
     csv += Join(cells, ",") + "\n";
   }

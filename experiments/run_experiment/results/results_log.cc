@@ -17,6 +17,7 @@
 
 #include "cirque/core/atomic_file.h"
 
+#include "experiments/common/records.h"
 #include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
@@ -24,32 +25,9 @@ namespace {
 
 constexpr int kAttempts = 20;
 constexpr std::chrono::milliseconds kPause(50);
+constexpr char kStarted[] = "/provenance/started";  ///< ISO 8601 in UTC: texts compare as times do
 
 namespace fs = std::filesystem;
-
-bool IsRecord(const Record& json) {
-  return json.is_object() && json.contains("key") && json["key"].is_string() &&
-         json.contains("outcome") && json["outcome"].is_string();
-}
-
-/// ISO 8601 in UTC, which texts compare as times do.
-std::string StartOf(const Record& record) {
-  const nlohmann::json::json_pointer pointer("/provenance/started");
-  const bool is_known = record.contains(pointer) && record.at(pointer).is_string();
-  return is_known ? record.at(pointer).get<std::string>() : "";
-}
-
-/// results.jsonl, if it exists, before the shards'.
-std::vector<std::string> ResultFiles(const std::string& folder) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    const bool is_ours = name == Shard().FileName() || name.starts_with("results.shard-");
-    if (is_ours && name.ends_with(".jsonl")) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class AppendOnlyFile {
  public:
@@ -106,7 +84,7 @@ StatusOr<ResultsLog> ResultsLog::Open(const std::string& folder, const Shard& sh
   StatusOr<FileLock> lock = FileLock::Take((fs::path(folder) / ("." + shard.FileName() + ".lock")));
   if (!lock.ok()) return lock.status();
   ResultsLog log(own.string(), *std::move(lock));
-  const std::vector<std::string> files = ResultFiles(folder);
+  const std::vector<std::string> files = RecordFiles(folder);
   for (const std::string& file : files) {
     if (Status status = log.Read(file); !status.ok()) return status;
     log.has_shards_ = log.has_shards_ || fs::path(file).filename() != Shard().FileName();
@@ -167,7 +145,8 @@ void ResultsLog::Keep(Record record) {
   const std::string key = record["key"];
   const auto last = last_.find(key);
   // Of two files the one read later need not be the later one.
-  if (last != last_.end() && StartOf(records_[last->second]) > StartOf(record)) return;
+  if (last != last_.end() && TextAt(records_[last->second], kStarted) > TextAt(record, kStarted))
+    return;
   last_[key] = records_.size();
   records_.push_back(std::move(record));
 }
