@@ -85,29 +85,35 @@ TEST(SimpleCones, SurfacesWithABoundaryNeedNone) {
   EXPECT_EQ(targets->upper, plain.upper);
 }
 
-TEST(SimpleCones, ASingleVertexOfGenusTwoIsOneLargeCone) {
-  // The octagon with sides a b a' b' c d c' d' joined, as a fan of its first corner: one vertex of
-  // 18 corners, which must carry the curvature -4 pi.
-  std::vector<Index> twin(18, kNone);
-  std::vector<Index> octagon(8);
-  // Triangle i has corners 0, i + 1, i + 2; its side 0 is side i + 1 of the octagon.
-  for (Index i = 0; i < 6; ++i) {
-    octagon[i + 1] = 3 * i;
+// The polygon with sides a b a' b' c d c' d' ..., four for each handle, joined, as a fan of its first
+// corner: one vertex at all the corners.
+Triangulation OneVertexSurface(Index genus) {
+  const Index faces = 4 * genus - 2;
+  std::vector<Index> twin(3 * faces, kNone), side(4 * genus);
+  // Triangle i has corners 0, i + 1, i + 2; its side 0 is side i + 1 of the polygon.
+  for (Index i = 0; i < faces; ++i) {
+    side[i + 1] = 3 * i;
     if (i > 0) {
       twin[3 * i + 2] = 3 * (i - 1) + 1;
       twin[3 * (i - 1) + 1] = 3 * i + 2;
     }
   }
-  octagon[0] = 2;
-  octagon[7] = 3 * 5 + 1;
-  for (const Index i : {0, 1, 4, 5}) {
-    twin[octagon[i]] = octagon[i + 2];
-    twin[octagon[i + 2]] = octagon[i];
-  }
-  const Triangulation t = NumberEdges(1, std::vector<Index>(18, 0), twin);
+  side.front() = 2;
+  side.back() = 3 * (faces - 1) + 1;
+  for (Index i = 0; i < 4 * genus; ++i) twin[side[i]] = side[i % 4 < 2 ? i + 2 : i - 2];
+  return NumberEdges(1, std::vector<Index>(3 * faces, 0), twin);
+}
+
+StatusOr<ConeTargets> SimpleTargetsOfEqualSides(const Triangulation& t) {
+  const EdgeLengths lengths = {Eigen::VectorXd::Ones(t.num_edges())};
+  return SimpleConeTargets(MeasureSurface(t, lengths));
+}
+
+TEST(SimpleCones, ASingleVertexOfGenusTwoIsOneLargeCone) {
+  // 18 corners, which must carry the curvature -4 pi.
+  const Triangulation t = OneVertexSurface(2);
   ASSERT_EQ(EulerCharacteristic(t), -2);
-  const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(MeasureSurface(t, {Eigen::VectorXd::Ones(t.num_edges())}));
+  const StatusOr<ConeTargets> targets = SimpleTargetsOfEqualSides(t);
   ASSERT_TRUE(targets.ok()) << targets.status().message();
   EXPECT_EQ(targets->lower[0], 6 * kPi);
   ExpectValid(t, *targets);
@@ -115,24 +121,9 @@ TEST(SimpleCones, ASingleVertexOfGenusTwoIsOneLargeCone) {
 
 TEST(SimpleCones, SaysWhenThereAreTooFewVertices) {
   // Genus 3 on one vertex would need a cone of 10 pi, more than the simple ones.
-  std::vector<Index> twin(30, kNone), polygon(12);
-  for (Index i = 0; i < 10; ++i) {
-    polygon[i + 1] = 3 * i;
-    if (i > 0) {
-      twin[3 * i + 2] = 3 * (i - 1) + 1;
-      twin[3 * (i - 1) + 1] = 3 * i + 2;
-    }
-  }
-  polygon[0] = 2;
-  polygon[11] = 3 * 9 + 1;
-  for (const Index i : {0, 1, 4, 5, 8, 9}) {
-    twin[polygon[i]] = polygon[i + 2];
-    twin[polygon[i + 2]] = polygon[i];
-  }
-  const Triangulation t = NumberEdges(1, std::vector<Index>(30, 0), twin);
+  const Triangulation t = OneVertexSurface(3);
   ASSERT_EQ(EulerCharacteristic(t), -4);
-  const StatusOr<ConeTargets> targets =
-      SimpleConeTargets(MeasureSurface(t, {Eigen::VectorXd::Ones(t.num_edges())}));
+  const StatusOr<ConeTargets> targets = SimpleTargetsOfEqualSides(t);
   ASSERT_FALSE(targets.ok());
   EXPECT_THAT(targets.status().message(), ::testing::HasSubstr("the curvature -8 pi"));
 }
