@@ -64,8 +64,7 @@ TEST_P(DenseTrapezoidTest, SolvesForwardsAndBackwards) {
 TEST_P(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {
   const int rows = rows_ - 1, columns = std::min(columns_, rows);
   MatrixXd product = MatrixXd::Constant(rows, columns, 7);
-  MultiplyByTransposed(matrix_.data() + 1, matrix_.data(), rows_, rows, columns, columns_,
-                       product.data());
+  Multiply({matrix_.data() + 1, matrix_.data(), rows_, rows, columns, columns_}, product.data());
   const MatrixXd wanted =
       matrix_.block(1, 0, rows, columns_) * matrix_.block(0, 0, columns, columns_).transpose();
   EXPECT_LT((product - wanted).norm(), 1e-13 * wanted.norm());

@@ -59,12 +59,12 @@ void SolveRows(const double* block, int columns, int leading_dimension, int coun
          &leading_dimension);
 }
 
-/// target -= left right' in a trapezoid of that leading dimension.
-void Subtract(const double* left, const double* right, int leading_dimension, int rows, int columns,
-              int inner, double* target) {
-  const double minus_one = -1, one = 1;
-  dgemm_("N", "T", &rows, &columns, &inner, &minus_one, left, &leading_dimension, right,
-         &leading_dimension, &one, target, &leading_dimension);
+/// target := share target + factor product, by BLAS. The target's columns lie
+/// `stride` apart.
+void AddProduct(const ProductWithTransposed& p, double factor, double share, int stride,
+                double* target) {
+  dgemm_("N", "T", &p.rows, &p.columns, &p.inner, &factor, p.left, &p.leading_dimension, p.right,
+         &p.leading_dimension, &share, target, &stride);
 }
 
 /// Blocks of the columns [begin, end) of a trapezoid behind which the rest of the rows is done.
@@ -86,8 +86,8 @@ class BlockColumn {
     for (int column = end_; column < t_.columns; column += kBlockColumns) {
       const int columns = std::min(kBlockColumns, t_.columns - column);
       ForEachRows(column, [&](int first, int count) {
-        Subtract(At(first, begin_), At(column, begin_), t_.rows, count, columns, end_ - begin_,
-                 At(first, column));
+        AddProduct({At(first, begin_), At(column, begin_), t_.rows, count, columns, end_ - begin_},
+                   -1, 1, t_.rows, At(first, column));
       });
     }
   }
@@ -148,21 +148,15 @@ void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
   }
 }
 
-void MultiplyByTransposed(const double* left, const double* right, int leading_dimension, int rows,
-                          int columns, int inner, double* product) {
-  if (columns * inner > kFewProducts) {
-    const double one = 1, zero = 0;
-    dgemm_("N", "T", &rows, &columns, &inner, &one, left, &leading_dimension, right,
-           &leading_dimension, &zero, product, &rows);
-    return;
-  }
-  for (int c = 0; c < columns; ++c) {
-    double* column = product + static_cast<std::size_t>(c) * rows;
-    std::fill_n(column, rows, 0.0);
-    for (int k = 0; k < inner; ++k) {
-      const std::size_t start = static_cast<std::size_t>(k) * leading_dimension;
-      const double factor = right[start + c];
-      for (int r = 0; r < rows; ++r) column[r] += factor * left[start + r];
+void Multiply(const ProductWithTransposed& p, double* result) {
+  if (p.columns * p.inner > kFewProducts) return AddProduct(p, 1, 0, p.rows, result);
+  for (int c = 0; c < p.columns; ++c) {
+    double* column = result + static_cast<std::size_t>(c) * p.rows;
+    std::fill_n(column, p.rows, 0.0);
+    for (int k = 0; k < p.inner; ++k) {
+      const std::size_t start = static_cast<std::size_t>(k) * p.leading_dimension;
+      const double factor = p.right[start + c];
+      for (int r = 0; r < p.rows; ++r) column[r] += factor * p.left[start + r];
     }
   }
 }

@@ -23,10 +23,16 @@ bool FactorTrapezoidInParallel(const DenseTrapezoid& trapezoid);
 void SolveWithTrapezoid(const DenseTrapezoid& factored, double* w);
 void SolveWithTrapezoidTransposed(const DenseTrapezoid& factored, double* w);
 
-/// product = left right', rows x columns: left has `rows` rows, right `columns`, both `inner`
-/// columns and the same leading dimension. By BLAS, but for few of them.
-void MultiplyByTransposed(const double* left, const double* right, int leading_dimension, int rows,
-                          int columns, int inner, double* product);
+/// The product left right', rows x columns, of dense matrices by columns: left has `rows` rows, right
+/// `columns`, both `inner` columns and the same leading dimension.
+struct ProductWithTransposed {
+  const double *left, *right;
+  int leading_dimension;
+  int rows, columns, inner;
+};
+
+/// result = the product, its columns one behind the other. By BLAS, but for few of them.
+void Multiply(const ProductWithTransposed& product, double* result);
 
 }  // namespace cirque
 

@@ -100,8 +100,9 @@ void SupernodalFactorization::Subtract(const Descendant& of, int s, int first, i
   const int count = last - first, columns = std::min(of.end, last) - of.begin;
   const std::size_t size = static_cast<std::size_t>(count) * columns;
   if (product->size() < size) product->resize(size);
-  MultiplyByTransposed(numbers + first, numbers + of.begin, tree_.NumRows(of.d), count, columns,
-                       tree_.NumColumns(of.d), product->data());
+  Multiply({numbers + first, numbers + of.begin, tree_.NumRows(of.d), count, columns,
+            tree_.NumColumns(of.d)},
+           product->data());
   for (int c = 0; c < columns; ++c) {
     double* target = Numbers(s).data + static_cast<std::size_t>(place[rows[of.begin + c]]) *
                                            static_cast<std::size_t>(tree_.NumRows(s));
