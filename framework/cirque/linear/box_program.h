@@ -24,8 +24,8 @@ struct BoxSolution {
 
 /// Primal-dual interior point with Mehrotra's predictor and corrector; one factorisation a step,
 /// one symbolic analysis in all. Converged when the largest product of a multiplier with its
-/// distance is at most `tolerance` times the products of the largest multiplier with the bounds.
-/// The equation holds to rounding.
+/// distance is at most `tolerance` times the largest |b_i| times the largest bound, and the largest
+/// error of the equation at most `tolerance` times the largest |b_i|: no exact equality.
 BoxSolution SolveBoxProgram(const BoxProgram& program, double tolerance = 1e-9);
 
 }  // namespace cirque
