@@ -101,10 +101,10 @@ StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Ind
   const StatusOr<SurfaceMap> map = MapSurface(*surface, request);
   if (!map.ok()) return map.status();
   const Triangulation& t = surface->triangulation;
-  std::vector<Complex> wanted, found(t.num_vertices);
+  std::vector<Complex> exact, found(t.num_vertices);
   for (const Eigen::Vector3d& p : surface->position) {
     const Eigen::Vector2d w = known->to_plane(p) / radius;
-    wanted.emplace_back(w.x(), w.y());
+    exact.emplace_back(w.x(), w.y());
   }
   Index centre = kNone;
   for (Index h = 0; h < t.num_halfedges(); ++h) {
@@ -112,15 +112,15 @@ StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Ind
     found[v] = {map->uv.value[h].x(), map->uv.value[h].y()};
     if (found[v] == Complex(0)) centre = v;
   }
-  const Moebius centring = Moebius::DiskAutomorphism(wanted[centre]);
+  const Moebius centring = Moebius::DiskAutomorphism(exact[centre]);
   Complex turn = 0;
   for (Index v = 0; v < t.num_vertices; ++v) {
-    wanted[v] = centring(wanted[v]).value;
-    turn += found[v] * std::conj(wanted[v]);
+    exact[v] = centring(exact[v]).value;
+    turn += found[v] * std::conj(exact[v]);
   }
   turn /= std::abs(turn);
   double sum = 0;
-  for (Index v = 0; v < t.num_vertices; ++v) sum += std::norm(found[v] - turn * wanted[v]);
+  for (Index v = 0; v < t.num_vertices; ++v) sum += std::norm(found[v] - turn * exact[v]);
   const double rms = std::sqrt(sum / t.num_vertices);
   return AccuracyRow{t.num_faces(), rms, rms};
 }

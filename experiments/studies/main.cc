@@ -36,9 +36,9 @@ std::string Usage() {
   std::string text =
       "studies NAME [FLAGS] [MESH ...]\n"
       "Each study asks one question; studies NAME --help explains it and its flags.\n"
-      "Exit status: 0 done, 1 interrupted, 2 bad input, 3 no solution.\n\n";
+      "Exit status: 0 done, 1 interrupted, 2 bad input, 3 infeasible.\n\n";
   for (const Study& study : Studies()) {
-    text += fmt::format("  {:<26}{}\n", study.name, Indented(study.what, 28));
+    text += fmt::format("  {}\n      {}\n", study.name, Indented(study.what, 6));
   }
   return text;
 }

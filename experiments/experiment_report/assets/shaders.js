@@ -44,7 +44,7 @@ const kFaceFragment = `#version 300 es
     float dim = shading == 1 || shading == 2 ? 0.7 : 0.42;  // colours that mean something stay near
     float light = mix(dim + (1.0 - dim) * abs(dot(n, normalize(vec3(0.3, 0.5, 0.9)))), 1.0, morph);
     colour = vec4(base() * light, 1.0);
-    if (morph == 1.0 && !gl_FrontFacing) colour.rgb = vec3(0.85, 0.1, 0.1);  // mirrored
+    if (morph == 1.0 && !gl_FrontFacing) colour.rgb = vec3(0.85, 0.1, 0.1);  // flipped
     if (wire == 1) {
       vec3 width = max(fwidth(corner), 1e-6), edge = corner / width;
       float fade = 1.0 - smoothstep(0.08, 0.5, max(width.x, max(width.y, width.z)));

@@ -69,9 +69,9 @@ std::map<std::string, double> KnownMapErrors(const MeshSpec& mesh, const Surface
                                              const CornerUv& uv) {
   const StatusOr<ConformalMap> known = KnownConformalMaps().Find(mesh.generator);
   if (!known.ok()) return {};
-  const std::vector<Eigen::Vector2d> wanted = KnownImage(*known, surface);
-  const Similarity similarity = FitSimilarity(uv.value, wanted);
-  return {{"edge_length", RelativeEdgeLength(wanted)},
+  const std::vector<Eigen::Vector2d> image = KnownImage(*known, surface);
+  const Similarity similarity = FitSimilarity(uv.value, image);
+  return {{"edge_length", RelativeEdgeLength(image)},
           {"known_map_rms_error", similarity.rms_error},
           {"known_map_max_error", similarity.max_error}};
 }

@@ -42,7 +42,8 @@ inline constexpr char kVertexUnit[] = "vertex";
 /// The table of its fields.
 const OptionTable<DomainOptions>& DomainOptionTable();
 
-/// What is to be mapped onto what, and how.
+/// What is to be mapped onto what, and how: by the options as they are. Domain::OptionsWith has those that
+/// the domain recommends.
 struct MapRequest : ParameterizeRequest {
   std::string domain = "plane";  ///< a name of Domains()
   DomainOptions shape = {};
