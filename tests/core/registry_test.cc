@@ -43,6 +43,12 @@ TEST(Registry, AnEntryMoreMakesALargerTableAndLeavesTheFirst) {
   EXPECT_FALSE(functions.Find("twice").ok());
 }
 
+TEST(RegistryDeathTest, ANameThatIsThereIsABrokenCaller) {
+  const Function zero = [](double) { return 0.; };
+  EXPECT_DEATH(Functions().With("half", zero), "function 'half' is there already");
+  EXPECT_DEATH(Functions().With("zero", zero).With("zero", zero), "function 'zero'");
+}
+
 TEST(Registry, EntriesAddUpInTheirOrderAndAreTold) {
   const Function zero = [](double) { return 0.; };
   const Registry<Function> functions = Functions().With("zero", zero).With("one", zero);

@@ -21,8 +21,10 @@ class Registry {
       : kind_(std::move(kind)), entries_(entries) {}
 
   /// This table and one line more: how a program adds what it has of its own, without a table that
-  /// changes under others. @pre the name is new.
+  /// changes under others. @pre the name is new;
+  /// a second one of that name could not be found, and is a broken caller.
   Registry With(std::string name, T value) const {
+    CheckIsNew(kind_, name, Names());
     Registry extended = *this;
     extended.entries_.emplace_back(std::move(name), std::move(value));
     return extended;

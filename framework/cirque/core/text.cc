@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 namespace cirque {
 namespace {
@@ -43,6 +44,12 @@ std::string UnknownName(std::string_view kind, std::string_view name,
   const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
   return fmt::format("unknown {} '{}'{} Known: {}", kind, name, nearest.empty() ? "." : hint,
                      Join(known));
+}
+
+void CheckIsNew(std::string_view kind, std::string_view name,
+                const std::vector<std::string>& known) {
+  CHECK(std::find(known.begin(), known.end(), name) == known.end())
+      << kind << " '" << name << "' is there already; its table names each once";
 }
 
 std::string Join(const std::vector<std::string>& words, std::string_view separator) {

@@ -14,6 +14,10 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& k
 std::string UnknownName(std::string_view kind, std::string_view name,
                         const std::vector<std::string>& known);
 
+/// A name that is known already is a broken caller: a table names each thing once.
+void CheckIsNew(std::string_view kind, std::string_view name,
+                const std::vector<std::string>& known);
+
 /// "a, b, c".
 std::string Join(const std::vector<std::string>& words, std::string_view separator = ", ");
 
