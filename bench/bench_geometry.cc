@@ -5,9 +5,9 @@
 #include <glog/logging.h>
 
 #include "cirque/cuts/cut_graph.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/measure_map.h"

@@ -7,7 +7,7 @@
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "bench/surfaces.h"
 

@@ -1,6 +1,4 @@
 // The re-centred Newton method against Newton's method in ball coordinates: results/lorentz.md.
-#include "cirque/math/lorentz.h"
-
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -13,7 +11,8 @@
 
 #include "cirque/energy/lorentz_energy.h"
 #include "cirque/layout/moebius_normalization.h"
-#include "cirque/solver/newton_strategy.h"
+#include "cirque/math/moebius.h"
+#include "cirque/solver/newton_strategies.h"
 
 #include "experiments/studies/studies.h"
 

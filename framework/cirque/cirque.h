@@ -25,7 +25,7 @@
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/registry.h"
 #include "cirque/generators/generators.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"

@@ -9,7 +9,7 @@
 
 #include "cirque/angles/infeasibility.h"
 #include "cirque/angles/registry.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "tests/common/renumbering.h"
 #include "tests/common/surfaces.h"

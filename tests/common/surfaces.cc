@@ -8,7 +8,7 @@
 #include <glog/logging.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/io.h"
 
 #include "tests/common/paths.h"

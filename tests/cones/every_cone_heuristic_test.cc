@@ -7,8 +7,8 @@
 #include "cirque/cones/registry.h"
 #include "cirque/core/metric.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/parameterize.h"
-#include "cirque/pipeline/place_cones.h"
 
 #include "tests/common/surfaces.h"
 

@@ -1,6 +1,6 @@
-#include "cirque/core/name_with_options.h"
-
 #include <gtest/gtest.h>
+
+#include "cirque/core/option.h"
 
 namespace cirque {
 namespace {

@@ -1,11 +1,10 @@
-#include "cirque/domains/sphere_domain.h"
-
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/layout/moebius_normalization.h"
 #include "cirque/metrics/injectivity.h"

@@ -9,7 +9,7 @@
 #include "cirque/energy/coherent_angle_barrier.h"
 #include "cirque/energy/lorentz_energy.h"
 #include "cirque/math/circle_angle.h"
-#include "cirque/math/lorentz.h"
+#include "cirque/math/moebius.h"
 
 #include "experiments/audit_energies/samples.h"
 #include "tests/common/surfaces.h"

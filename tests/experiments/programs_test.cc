@@ -8,7 +8,7 @@
 
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/generators/generators.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 

@@ -4,8 +4,8 @@
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/scrambled.h"

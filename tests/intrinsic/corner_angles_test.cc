@@ -1,11 +1,11 @@
-#include "cirque/intrinsic/corner_angles.h"
-
 #include <array>
 #include <cmath>
 #include <random>
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <gtest/gtest.h>
+
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"

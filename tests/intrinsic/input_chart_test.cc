@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "tests/common/surfaces.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/predicates.h"
 
 #include "tests/common/surfaces.h"

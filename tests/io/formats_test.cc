@@ -9,9 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/io/file_input.h"
-#include "cirque/io/off.h"
-#include "cirque/io/ply.h"
-#include "cirque/io/stl.h"
+#include "cirque/io/mesh_formats.h"
 
 namespace cirque {
 namespace {

@@ -1,10 +1,10 @@
-#include "cirque/io/obj.h"
-
 #include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cirque/io/mesh_formats.h"
 
 namespace cirque {
 namespace {

@@ -7,8 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cirque/io/off.h"
-#include "cirque/io/ply.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/io/text_writer.h"
 
 #include "tests/mesh/meshes.h"

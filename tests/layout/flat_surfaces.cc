@@ -8,7 +8,7 @@
 
 #include <glog/logging.h>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 #include "tests/common/surfaces.h"
 

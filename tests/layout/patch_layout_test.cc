@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cuts/cut_graph.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/seams.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/math/lorentz.h"
+#include "cirque/math/moebius.h"
 
 namespace cirque {
 namespace {

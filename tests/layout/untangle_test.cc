@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/injectivity.h"
 

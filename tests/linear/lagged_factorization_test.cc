@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/linear/registry.h"
-#include "cirque/solver/auto_strategy.h"
+#include "cirque/solver/newton_strategies.h"
 
 #include "tests/linear/grid_matrix.h"
 

@@ -1,10 +1,10 @@
-#include "cirque/math/lorentz.h"
-
 #include <cmath>
 #include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include "cirque/math/moebius.h"
 
 #include "experiments/common/high_precision.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/generators/generators.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/surface.h"
 
 #include "tests/common/surfaces.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"

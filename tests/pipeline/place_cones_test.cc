@@ -1,5 +1,3 @@
-#include "cirque/pipeline/place_cones.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -7,6 +5,7 @@
 
 #include "cirque/cones/cone.h"
 #include "cirque/mesh/surface.h"
+#include "cirque/pipeline/cone_stages.h"
 
 #include "tests/common/surfaces.h"
 

@@ -1,5 +1,3 @@
-#include "cirque/pipeline/refine_cones.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,8 +6,8 @@
 #include "cirque/cones/cone.h"
 #include "cirque/core/atomic_file.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/parameterize.h"
-#include "cirque/pipeline/place_cones.h"
 
 #include "tests/common/surfaces.h"
 

@@ -1,12 +1,11 @@
 // Energies with kinks, whose minimisers are known in closed form.
-#include "cirque/solver/kinks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "cirque/solver/solve_run.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "cirque/core/name_with_options.h"
+#include "cirque/core/option.h"
 #include "cirque/core/status.h"
 #include "cirque/pipeline/certificate.h"
 

@@ -10,7 +10,7 @@
 #include "cirque/angles/angle_program.h"
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/solve_summary.h"
-#include "cirque/energy/quadratic_and_entropy_objectives.h"
+#include "cirque/energy/angle_objectives.h"
 #include "cirque/linear/registry.h"
 
 namespace cirque {

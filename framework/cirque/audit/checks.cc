@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "cirque/audit/audit_energy.h"
+
 namespace cirque {
 
 std::vector<Eigen::VectorXd> Directions(int n) {
@@ -39,6 +41,15 @@ Eigen::MatrixXd HessianAt(const Energy& energy, const Eigen::VectorXd& x) {
     return Eigen::MatrixXd::Constant(x.size(), x.size(), std::nan(""));
   }
   return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+}
+
+const std::vector<AuditCheck>& AuditChecks() {
+  static const std::vector<AuditCheck> kTable = {
+      {"gradient", 0.2, CheckGradient},  {"hessian", 0.2, CheckHessian},
+      {"symmetry", 1e-6, CheckSymmetry}, {"convexity", 1e-12, CheckConvexity},
+      {"forms", 1e-9, CheckForms},       {"domain", 0, CheckDomain},
+  };
+  return kTable;
 }
 
 }  // namespace cirque

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/metric.h"
-#include "cirque/core/name_with_options.h"
+#include "cirque/core/option.h"
 
 namespace cirque {
 namespace {

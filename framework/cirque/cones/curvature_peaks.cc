@@ -10,7 +10,7 @@
 
 #include "cirque/cones/cone_choice.h"
 #include "cirque/cones/cone_fit.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/farthest_vertices.h"
 
 namespace cirque {

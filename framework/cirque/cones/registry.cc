@@ -6,7 +6,7 @@
 #include "cirque/cones/greedy_cones.h"
 #include "cirque/cones/moving_cones.h"
 #include "cirque/cones/sparse_cones.h"
-#include "cirque/core/name_with_options.h"
+#include "cirque/core/option.h"
 #include "cirque/io/cone_file.h"
 
 namespace cirque {

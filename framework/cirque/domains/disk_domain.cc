@@ -1,5 +1,3 @@
-#include "cirque/domains/disk_domain.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/disk_placement.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/metrics/injectivity.h"

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/metrics/injectivity.h"
 

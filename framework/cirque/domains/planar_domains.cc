@@ -1,5 +1,3 @@
-#include "cirque/domains/planar_domains.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +9,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/disk_domain.h"
+#include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"

@@ -5,10 +5,8 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
-#include "cirque/domains/disk_domain.h"
+#include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/domain.h"
-#include "cirque/domains/planar_domains.h"
-#include "cirque/domains/sphere_domain.h"
 
 namespace cirque {
 namespace {

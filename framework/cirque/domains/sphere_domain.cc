@@ -1,5 +1,3 @@
-#include "cirque/domains/sphere_domain.h"
-
 #include <algorithm>
 #include <optional>
 #include <tuple>
@@ -9,6 +7,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
+#include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/domains/sphere_pole.h"
 #include "cirque/layout/linear_layout.h"

@@ -23,7 +23,7 @@ LorentzJet LorentzElement(const Eigen::Vector3d& v, const Eigen::Vector3d& x);
 
 /// The energy whose minimum centres points on the unit sphere:
 ///   S(x) = sum_v w_v [ log(1 - v.x) - 1/2 log(1 - x.x) ],   |x| < 1.
-/// The boost by the minimiser (math/lorentz.h) moves the weighted centre of mass to 0. S is convex
+/// The boost by the minimiser (LorentzBoost) moves the weighted centre of mass to 0. S is convex
 /// along hyperbolic geodesics, hence has one minimum, but not convex in x: minimise it where points
 /// crowd by MinimizeLorentz (solver/lorentz_normalization.h), which re-centres.
 /// Source: Springborn, A unique representation of polyhedral types, Math. Z. 249 (2005).

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cirque/energy/angle_objectives.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/coherent_angle_barrier.h"
 #include "cirque/energy/dual_angle_energy.h"
@@ -33,6 +34,20 @@ EnergyFactory DualOf(const std::string& objective) {
 }
 
 }  // namespace
+
+const Registry<std::shared_ptr<const AngleObjective>>& AngleObjectives() {
+  using Kind = QuadraticObjective::Kind;
+  static const Registry<std::shared_ptr<const AngleObjective>> kTable(
+      "angle objective",
+      {
+          {"quadratic", std::make_shared<QuadraticObjective>(Kind::kUniform)},
+          {"weighted_quadratic", std::make_shared<QuadraticObjective>(Kind::kRelative)},
+          {"barrier", std::make_shared<BarrierObjective>()},
+          {"entropy", std::make_shared<EntropyObjective>()},
+          {"least_squares", std::make_shared<QuadraticObjective>(Kind::kUnbounded)},
+      });
+  return kTable;
+}
 
 const Registry<EnergyFactory>& Energies() {
   static const Registry<EnergyFactory> kTable(

@@ -9,8 +9,8 @@
 
 #include <glog/logging.h>
 
-#include "cirque/intrinsic/corner_angles.h"
 #include "cirque/intrinsic/flip_complex.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 namespace {

@@ -11,10 +11,7 @@
 #include "cirque/core/registry.h"
 #include "cirque/core/text.h"
 #include "cirque/io/file_input.h"
-#include "cirque/io/obj.h"
-#include "cirque/io/off.h"
-#include "cirque/io/ply.h"
-#include "cirque/io/stl.h"
+#include "cirque/io/mesh_formats.h"
 
 namespace cirque {
 namespace {

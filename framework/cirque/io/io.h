@@ -10,14 +10,15 @@ namespace cirque {
 
 /// Reads a mesh by its file name's extension (any case):
 ///
-///   obj   Wavefront OBJ, with texture coordinates    obj.h    read and written
-///   off   text OFF                                   off.h    read and written
-///   ply   PLY, text or binary                        ply.h    read and written (text)
-///   stl   STL, text or binary                        stl.h    read
+///   obj   Wavefront OBJ, with texture coordinates    read and written
+///   off   text OFF                                   read and written
+///   ply   PLY, text or binary                        read and written (text)
+///   stl   STL, text or binary                        read
 ///
-/// A new format is a function to parse or write it in a file of its own and a line in io.cc. Errors
-/// name file:line (binary files: the byte), what was expected, and what to do. Nothing is repaired
-/// here, and coordinates that are not finite are read as such: see preflight.h.
+/// A new format is a function to parse or write it in a file of its own, declared in
+/// mesh_formats.h, and a line in io.cc. Errors name file:line (binary files: the byte), what was
+/// expected, and what to do. Nothing is repaired here, and coordinates that are not finite are read
+/// as such: see preflight.h.
 StatusOr<PolygonSoup> ReadMesh(const std::string& path);
 
 /// Writes a mesh by its file name's extension, atomically, coordinates in shortest round-trip

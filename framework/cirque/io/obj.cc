@@ -1,5 +1,3 @@
-#include "cirque/io/obj.h"
-
 #include <charconv>
 #include <cstdint>
 #include <utility>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cirque/io/file_input.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/io/text_writer.h"
 
 namespace cirque {

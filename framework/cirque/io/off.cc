@@ -1,11 +1,10 @@
-#include "cirque/io/off.h"
-
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/io/file_input.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/io/text_writer.h"
 
 namespace cirque {

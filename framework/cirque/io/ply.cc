@@ -1,5 +1,3 @@
-#include "cirque/io/ply.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/io/file_input.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/io/ply_stream.h"
 #include "cirque/io/text_writer.h"
 

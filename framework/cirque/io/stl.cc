@@ -1,11 +1,10 @@
-#include "cirque/io/stl.h"
-
 #include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/io/file_input.h"
+#include "cirque/io/mesh_formats.h"
 
 namespace cirque {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/types.h"
-#include "cirque/math/lorentz.h"
+#include "cirque/math/moebius.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 namespace {

@@ -6,7 +6,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {

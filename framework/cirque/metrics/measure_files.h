@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/status.h"
-#include "cirque/io/ply.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/metrics/measure_map.h"
 
 namespace cirque {

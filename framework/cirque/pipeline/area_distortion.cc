@@ -5,10 +5,10 @@
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/edge_block_assembler.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/linear/registry.h"
 #include "cirque/math/circle_angle.h"
-#include "cirque/pipeline/refine_cones.h"
+#include "cirque/pipeline/cone_stages.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {

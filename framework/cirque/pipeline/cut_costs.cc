@@ -4,7 +4,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/cuts/edge_files.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 
 namespace cirque {
 namespace {

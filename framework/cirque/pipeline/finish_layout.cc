@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cirque/core/name_with_options.h"
+#include "cirque/core/option.h"
+#include "cirque/layout/packing.h"
 #include "cirque/layout/refine_map.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
@@ -92,6 +93,17 @@ bool SnapRotations(const Triangulation& t, const Cut& cut, const std::vector<Ind
   if (!FlippedFaces(t, snapped).empty()) return false;
   *uv = std::move(snapped);
   return true;
+}
+
+int ArrangePatches(const LaidOutSurface& of, const ConeTargets& targets, PlanarLayout* layout) {
+  if (layout->patches.count > 1) {
+    layout->uv = PackPatches(layout->uv, layout->patches, {}).uv;
+    return 0;
+  }
+  const int order = CommonRotationOrder(targets, of.cones);
+  const bool exact = order > 0 && SnapRotations(of.surface.triangulation, of.cut, of.cones,
+                                                of.flat.angles, order, &layout->uv);
+  return exact ? order : 0;
 }
 
 void MeasureDistortion(const Triangulation& t, const EdgeLengths& lengths, const Cut& cut,

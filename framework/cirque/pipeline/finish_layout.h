@@ -45,6 +45,11 @@ bool SnapRotations(const Triangulation& triangulation, const Cut& cut,
                    const std::vector<Index>& cones, const CornerAngles& flat_angles, int order,
                    CornerUv* uv);
 
+/// Several patches, each in a frame of its own: side by side in the unit square. One patch: exact
+/// rotations across the seams (SnapRotations) where the cones' angles allow it. Returns their order,
+/// 0 where they are not exact.
+int ArrangePatches(const LaidOutSurface& of, const ConeTargets& targets, PlanarLayout* layout);
+
 /// Fills in the certificate's overlap and figures of distortion.
 void MeasureDistortion(const Triangulation& triangulation, const EdgeLengths& lengths,
                        const Cut& cut, const CornerUv& uv, Certificate* certificate);

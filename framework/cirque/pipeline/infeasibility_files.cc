@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cirque/io/ply.h"
+#include "cirque/io/mesh_formats.h"
 
 namespace cirque {
 namespace {

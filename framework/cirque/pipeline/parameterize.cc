@@ -9,16 +9,14 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/cut_graph.h"
-#include "cirque/intrinsic/corner_angles.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/linear_layout.h"
-#include "cirque/layout/packing.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/finish_layout.h"
-#include "cirque/pipeline/place_cones.h"
-#include "cirque/pipeline/refine_cones.h"
 
 namespace cirque {
 namespace {
@@ -32,13 +30,6 @@ struct Job {
   const Cut* cut;  ///< null: a short one is sought
   const ParameterizeOptions& options;
   const SolveControl& control;
-};
-
-/// Cones where they lie, and what their angles shall be.
-struct PlacedCones {
-  const Triangulation& triangulation;
-  const ConeTargets& targets;
-  const std::vector<Index>& cones;
 };
 
 /// The given cut, or one through the cones, short by the costs that the options name.
@@ -70,20 +61,6 @@ Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped)
           range, flipped.size(), IdList(flipped, 5)));
 }
 
-/// Several patches, each in a frame of its own: side by side. One patch: exact rotations across the
-/// seams where the cones' angles allow it; their order, 0 where they do not.
-int Arrange(const PlacedCones& placed, const InputChart& flat, const Cut& cut,
-            PlanarLayout* layout) {
-  if (layout->patches.count > 1) {
-    layout->uv = PackPatches(layout->uv, layout->patches, {}).uv;
-    return 0;
-  }
-  const int order = CommonRotationOrder(placed.targets, placed.cones);
-  const bool exact = order > 0 && SnapRotations(placed.triangulation, cut, placed.cones,
-                                                flat.angles, order, &layout->uv);
-  return exact ? order : 0;
-}
-
 SeamSummary SummaryOf(const SeamReport& report) {
   return {static_cast<int>(report.seams.size()), report.max_length_mismatch,
           report.max_rotation_mismatch, report.max_gap, report.max_cone_mismatch};
@@ -104,10 +81,10 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   LayoutSummary& summary = Fill(&certificate.layout);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
-    Status refined = RefineLayout({job.surface, flat, *cut, cones, job.control.cancelled},
-                                  job.options.refine_map, &layout, &certificate.map_refinement);
+    const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
+    Status refined = RefineLayout(of, job.options.refine_map, &layout, &certificate.map_refinement);
     if (!refined.ok()) return refined;
-    summary.rotation_order = Arrange({t, result->targets, cones}, flat, *cut, &layout);
+    summary.rotation_order = ArrangePatches(of, result->targets, &layout);
     flipped = FlippedFaces(t, layout.uv);
   }
   certificate.seams = SummaryOf(MeasureSeams(t, *cut, cones, flat.angles, layout.uv));

@@ -32,7 +32,7 @@ struct ParameterizeRequest {
   std::optional<Cut> cut = {};  ///< nothing: a short one through the cones is found
 };
 
-/// DefaultTargets (place_cones.h) of a surface in space.
+/// DefaultTargets (cone_stages.h) of a surface in space.
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
 /// Maps a surface of any topology to the plane: intrinsic Delaunay flips, coherent angles, log

@@ -1,5 +1,3 @@
-#include "cirque/pipeline/place_cones.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "cirque/cones/curvature_peaks.h"
 #include "cirque/cones/registry.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/pipeline/cone_stages.h"
 
 namespace cirque {
 namespace {

@@ -1,5 +1,3 @@
-#include "cirque/pipeline/refine_cones.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +9,7 @@
 
 #include "cirque/cones/cone_fit.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/pipeline/cone_stages.h"
 
 namespace cirque {
 namespace {

@@ -1,11 +1,8 @@
-#include "cirque/solver/auto_strategy.h"
-
 #include <string>
 
 #include <fmt/format.h>
 
-#include "cirque/solver/inexact_newton_strategies.h"
-#include "cirque/solver/newton_strategy.h"
+#include "cirque/solver/newton_strategies.h"
 
 namespace cirque {
 namespace {

@@ -1,5 +1,3 @@
-#include "cirque/solver/inexact_newton_strategies.h"
-
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -7,9 +5,9 @@
 #include "cirque/linear/lagged_factorization.h"
 #include "cirque/linear/registry.h"
 #include "cirque/solver/newton_loop.h"
+#include "cirque/solver/newton_strategies.h"
 
 namespace cirque {
-
 namespace {
 
 constexpr int kMaxAttempts = 12;
@@ -53,6 +51,20 @@ class InexactDirection {
   double last_norm_ = 0;  ///< 0: none, the first system is solved loosely
 };
 
+/// A strategy's table: the limits, the option of its own, and those of all inexact Newton methods.
+template <class O>
+OptionTable<O> TableOf(const std::string& strategy, const Option<O>& own,
+                       const std::string& cg_limit_help) {
+  auto options = Joined<O>(LimitOptions<O>(), {own});
+  return OptionTable<O>(
+      strategy,
+      Joined<O>(
+          std::move(options),
+          {Option<O>("max_cg_iterations", &O::max_cg_iterations, cg_limit_help).Between(1, 1e6),
+           Option<O>("forcing", &O::forcing, "relative residual of the first steps' linear systems")
+               .Between(1e-10, 0.9)}));
+}
+
 }  // namespace
 
 void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x) {
@@ -62,14 +74,11 @@ void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, E
 
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable() {
   using O = NewtonCgOptions;
-  static const OptionTable<O> kTable("newton_cg", [] {
-    auto options = Joined<O>(LimitOptions<O>(), {Option<O>("linear_solver", &O::linear_solver,
-                                                           "sparse Cholesky; default: the first")
-                                                     .OneOf(LinearSolvers().Names())});
-    return Joined<O>(
-        std::move(options),
-        InexactNewtonOptions<O>("conjugate gradient iterations a step before factoring anew"));
-  }());
+  static const auto kTable = TableOf<O>(
+      "newton_cg",
+      Option<O>("linear_solver", &O::linear_solver, "sparse Cholesky; default: the first")
+          .OneOf(LinearSolvers().Names()),
+      "conjugate gradient iterations a step before factoring anew");
   return kTable;
 }
 
@@ -84,15 +93,11 @@ SolveSummary NewtonCgStrategy::Minimize(const Energy& energy, const SolveControl
 
 const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable() {
   using O = NewtonAmgOptions;
-  static const OptionTable<O> kTable("newton_amg", [] {
-    auto options = Joined<O>(LimitOptions<O>(),
-                             {Option<O>("multigrid", &O::multigrid,
-                                        "the method; default: boomeramg where PETSc has hypre")
-                                  .OneOf({"boomeramg", "gamg"})});
-    return Joined<O>(
-        std::move(options),
-        InexactNewtonOptions<O>("conjugate gradient iterations a system before factoring it"));
-  }());
+  static const auto kTable = TableOf<O>(
+      "newton_amg",
+      Option<O>("multigrid", &O::multigrid, "the method; default: boomeramg where PETSc has hypre")
+          .OneOf({"boomeramg", "gamg"}),
+      "conjugate gradient iterations a system before factoring it");
   return kTable;
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "cirque/solver/kinks.h"
 #include "cirque/solver/solve_run.h"
 
 namespace cirque {

@@ -4,7 +4,6 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/linear/sparse_matrix.h"
-#include "cirque/solver/kinks.h"
 #include "cirque/solver/line_search.h"
 
 namespace cirque {

@@ -1,9 +1,8 @@
-#include "cirque/solver/newton_strategy.h"
-
 #include <functional>
 
 #include "cirque/linear/registry.h"
 #include "cirque/solver/newton_loop.h"
+#include "cirque/solver/newton_strategies.h"
 
 namespace cirque {
 namespace {

@@ -1,10 +1,8 @@
 #include "cirque/linear/registry.h"
 
 #include "cirque/linear/lagged_factorization.h"
-#include "cirque/solver/auto_strategy.h"
 #include "cirque/solver/ceres_strategies.h"
-#include "cirque/solver/inexact_newton_strategies.h"
-#include "cirque/solver/newton_strategy.h"
+#include "cirque/solver/newton_strategies.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {

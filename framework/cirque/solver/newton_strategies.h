@@ -11,13 +11,26 @@
 
 namespace cirque {
 
-/// The rows of an option table for what every strategy on IterateInexactNewton has.
-template <class T>
-std::vector<Option<T>> InexactNewtonOptions(const std::string& cg_limit_help) {
-  return {Option<T>("max_cg_iterations", &T::max_cg_iterations, cg_limit_help).Between(1, 1e6),
-          Option<T>("forcing", &T::forcing, "relative residual of the first steps' linear systems")
-              .Between(1e-10, 0.9)};
-}
+struct NewtonOptions : SolverLimits {
+  std::string linear_solver;  ///< a name of LinearSolvers(); empty: its first
+};
+
+const OptionTable<NewtonOptions>& NewtonOptionTable();
+
+/// Newton's method with a sparse Cholesky factorisation a step and a line search on directional
+/// derivatives. Semi-smooth energies whose generalised Hessian can be singular are regularised as
+/// Levenberg and Marquardt do: a multiple of the identity that grows 100-fold (to at least 1e-5)
+/// when steps below 1/100 are wanted or the factorisation fails, and shrinks again after full
+/// steps. At kinks the method is orthant-wise: see Kinks.
+class NewtonStrategy final : public SolverStrategy {
+ public:
+  explicit NewtonStrategy(const NewtonOptions& options) : options_(options) {}
+  SolveSummary Minimize(const Energy& energy, const SolveControl& control,
+                        Eigen::VectorXd* x) const override;
+
+ private:
+  NewtonOptions options_;
+};
 
 /// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs
 /// (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared),
@@ -25,10 +38,14 @@ std::vector<Option<T>> InexactNewtonOptions(const std::string& cg_limit_help) {
 /// gradient tolerance asks for.
 void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x);
 
-struct NewtonCgOptions : SolverLimits {
+/// What every strategy on IterateInexactNewton has.
+struct InexactNewtonOptions : SolverLimits {
+  double forcing = 0.01;  ///< relative residual of the first steps' linear systems
+};
+
+struct NewtonCgOptions : InexactNewtonOptions {
   std::string linear_solver;   ///< a name of LinearSolvers(); empty: its first
   int max_cg_iterations = 12;  ///< a step: beyond, factoring anew is taken to be cheaper
-  double forcing = 0.01;       ///< relative residual of the first steps' linear systems
 };
 
 const OptionTable<NewtonCgOptions>& NewtonCgOptionTable();
@@ -47,9 +64,7 @@ class NewtonCgStrategy final : public SolverStrategy {
   NewtonCgOptions options_;
 };
 
-struct NewtonAmgOptions : SolverLimits, AmgOptions {
-  double forcing = 0.01;  ///< relative residual of the first steps' linear systems
-};
+struct NewtonAmgOptions : InexactNewtonOptions, AmgOptions {};
 
 const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable();
 
@@ -69,6 +84,25 @@ class NewtonAmgStrategy final : public SolverStrategy {
 
  private:
   NewtonAmgOptions options_;
+};
+
+const OptionTable<SolverLimits>& AutoOptionTable();
+
+/// Chooses a Newton strategy by what is at hand, and says in the summary which and why:
+/// - newton_amg, if Cirque was built with PETSc, for 20 million unknowns or more: it takes less
+///   memory than a factor;
+/// - newton for fewer than 20,000 unknowns when the caller brings no factor: exact steps are cheap;
+/// - newton_cg otherwise: one factor serves most steps, also where the Hessian changes abruptly in
+///   places (an angle fit's active edges).
+class AutoStrategy final : public SolverStrategy {
+ public:
+  explicit AutoStrategy(const SolverLimits& limits) : limits_(limits) {}
+  SolveSummary Minimize(const Energy& energy, const SolveControl& control,
+                        Eigen::VectorXd* x) const override;
+  std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const override;
+
+ private:
+  SolverLimits limits_;
 };
 
 }  // namespace cirque

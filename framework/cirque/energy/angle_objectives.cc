@@ -1,4 +1,4 @@
-#include "cirque/energy/barrier_objective.h"
+#include "cirque/energy/angle_objectives.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,52 @@
 #include "cirque/math/itakura_saito.h"
 
 namespace cirque {
+
+double QuadraticObjective::Weight(double reference) const {
+  return kind_ == Kind::kRelative ? 1 / (reference * reference) : 1;
+}
+
+ScalarJet QuadraticObjective::Distance(double reference, double x) const {
+  const double w = Weight(reference), difference = x - reference;
+  return {0.5 * w * difference * difference, w * difference, w};
+}
+
+ResidualJet QuadraticObjective::Residual(double reference, double x) const {
+  const double root = std::sqrt(Weight(reference));
+  return {root * (x - reference), root};
+}
+
+double QuadraticObjective::WithSlope(double reference, double slope) const {
+  return reference + slope / Weight(reference);
+}
+
+double QuadraticObjective::ClampReference(double reference, double epsilon) const {
+  return kind_ == Kind::kRelative ? std::max(reference, epsilon) : reference;
+}
+
+double QuadraticObjective::Margin(double epsilon) const {
+  return kind_ == Kind::kUnbounded ? -1 : epsilon;
+}
+
+ScalarJet EntropyObjective::Distance(double reference, double x) const {
+  const ScalarJet kl = KullbackLeibler(x / reference);
+  return {reference * kl.value, kl.slope, kl.curvature / reference};
+}
+
+ResidualJet EntropyObjective::Residual(double reference, double x) const {
+  const ResidualJet r = KullbackLeiblerResidual(x / reference);
+  const double root = std::sqrt(reference);
+  return {root * r.value, r.slope / root};
+}
+
+double EntropyObjective::WithSlope(double reference, double slope) const {
+  return reference * std::exp(slope);
+}
+
+double EntropyObjective::ClampReference(double reference, double epsilon) const {
+  return std::max(reference, epsilon);
+}
+
 namespace {
 
 constexpr int kMaxNewtonSteps = 200;
