@@ -19,10 +19,6 @@
 namespace cirque {
 namespace {
 
-std::string Extension(const std::string& path) {
-  return std::filesystem::path(path).extension().string();
-}
-
 Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surface& surface,
                     const SurfaceMap& map, std::ostream& report) {
   if (path.empty()) return Status();
@@ -36,7 +32,7 @@ Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surf
 Status WriteSphere(const CirclePatternsJob& job, const Input& input, const SurfaceMap& map,
                    std::ostream& report) {
   const auto& [soup, surface, filled] = input;
-  const Status written = Extension(job.output) == ".ply"
+  const Status written = MeshExtension(job.output) == "ply"
                              ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
                              : WriteMesh(job.output, SphereMesh(soup, surface, map.position));
   return written.ok() ? WriteLatLong(job.latlong, soup, surface, map, report) : written;
@@ -54,6 +50,23 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
       job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
 }
 
+/// Whether the names' formats can hold what is to be written.
+Status CheckNames(const CirclePatternsJob& job) {
+  const StatusOr<Domain> domain = Domains().Find(job.domain.name);
+  if (!domain.ok()) return domain.status();
+  const bool on_sphere = domain->Gives("position");
+  const std::string extension = MeshExtension(job.output);
+  if (!job.output.empty() && extension != "obj" && !(on_sphere && extension == "ply")) {
+    return Status::InvalidInput(
+        job.output + (on_sphere ? ": maps to the sphere are written as .obj or .ply; name it so"
+                                : ": maps are written as .obj; name the output so"));
+  }
+  if (!job.latlong.empty() && MeshExtension(job.latlong) != "obj") {
+    return Status::InvalidInput(job.latlong + ": texture is written as .obj; name it so");
+  }
+  return Status();
+}
+
 /// The faces and vertices that carry an infeasibility certificate, as a table and as a coloured mesh.
 Status WriteCarriers(const std::string& stem, const Surface& surface,
                      const InfeasibilityCertificate& infeasibility, std::ostream& report) {
@@ -67,18 +80,13 @@ Status WriteCarriers(const std::string& stem, const Surface& surface,
 
 }  // namespace
 
-Status CheckOutputNames(const CirclePatternsJob& job) {
-  const StatusOr<Domain> domain = Domains().Find(job.domain.name);
-  if (!domain.ok()) return domain.status();
-  const bool on_sphere = domain->Gives("position");
-  const std::string extension = Extension(job.output);
-  if (extension != ".obj" && !(on_sphere && extension == ".ply")) {
-    return Status::InvalidInput(
-        job.output + (on_sphere ? ": maps to the sphere are written as .obj or .ply; name it so"
-                                : ": maps are written as .obj; name the output so"));
-  }
-  if (!job.latlong.empty() && Extension(job.latlong) != ".obj") {
-    return Status::InvalidInput(job.latlong + ": texture is written as .obj; name it so");
+Status CheckOutputs(const CirclePatternsJob& job) {
+  if (Status s = CheckNames(job); !s.ok()) return s;
+  std::vector<std::string> paths = {job.output, job.con, job.latlong, CertificatePath(job)};
+  for (const MeasureFile& file : job.measures) paths.push_back(file.path);
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (Status s = CheckOutputPath(path); !s.ok()) return s;
   }
   return Status();
 }
@@ -127,6 +135,7 @@ std::string CarrierStem(const CirclePatternsJob& job) {
 std::string CertificatePath(const CirclePatternsJob& job) {
   if (!job.certificate.empty()) return job.certificate;
   const std::string& output = job.output.empty() ? job.con : job.output;
+  if (output.starts_with("/dev/")) return "";
   return std::filesystem::path(output).replace_extension(".certificate.json").string();
 }
 
@@ -135,6 +144,7 @@ Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, co
   certificate->process = ProcessSummary{PeakMemoryMib()};
   certificate->seconds.process = timer.Seconds();
   const std::string path = CertificatePath(job);
+  if (path.empty()) return status;
   if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
   report << "certificate " << path << "\n";
   const InfeasibilityCertificate& infeasibility = certificate->infeasibility;

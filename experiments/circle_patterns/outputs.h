@@ -18,9 +18,9 @@ namespace cirque {
 /// The evidence in a few lines for people.
 std::string Summary(const Certificate& certificate);
 
-/// Refuses names of outputs whose format cannot hold a map to the job's domain: an .obj holds any,
-/// a .ply those to the sphere.
-Status CheckOutputNames(const CirclePatternsJob& job);
+/// Refuses outputs before anything is solved for them: names whose format cannot hold a map to the
+/// job's domain (an .obj holds any, a .ply those to the sphere), paths that cannot be written to.
+Status CheckOutputs(const CirclePatternsJob& job);
 
 /// What was read, the surface that it is, and the one that was solved on where holes were filled.
 struct Input {
@@ -52,7 +52,7 @@ struct MeasuredMesh {
 Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, const CornerUv& uv,
                      std::ostream& report);
 
-/// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT".
+/// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT"; nothing beside a device or stream.
 std::string CertificatePath(const CirclePatternsJob& job);
 
 /// Where an infeasibility certificate leaves the faces and vertices that carry it: the certificate's

@@ -47,6 +47,7 @@ Status WriteOutputs(const CirclePatternsJob& job, const Triangulation& t,
 
 Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
                    std::ostream& report) {
+  if (Status s = CheckOutputs(job); !s.ok()) return s;
   const StatusOr<ConMesh> metric = ReadCon(job.input_con);
   if (!metric.ok()) return metric.status();
   const Triangulation& t = metric->triangulation;
@@ -68,6 +69,7 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
     return status.In(job.input_con);
   }
   const std::string certificate = CertificatePath(job);
+  if (certificate.empty()) return status;
   if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
   report << "certificate " << certificate << "\n";
   return status;

@@ -20,6 +20,8 @@ std::string ToString(StatusCode code) {
       return "not_converged";
     case StatusCode::kCancelled:
       return "cancelled";
+    case StatusCode::kResource:
+      return "resource";
   }
   return "unknown";
 }
@@ -29,6 +31,7 @@ int ExitStatus(StatusCode code) {
     case StatusCode::kOk:
       return 0;
     case StatusCode::kInvalidInput:
+    case StatusCode::kResource:
       return 2;
     case StatusCode::kInfeasible:
       return 3;

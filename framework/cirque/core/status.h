@@ -14,6 +14,7 @@ enum class StatusCode {
   kUnrepresentable,  ///< a solution exists but exceeds what doubles hold in one chart
   kNotConverged,     ///< a limit of iterations or time, or of floating point, was met first
   kCancelled,        ///< the caller asked to stop
+  kResource,         ///< the machine failed: a full or failing disk, no memory; again may help
 };
 
 /// The outcome of an operation that can fail for a reason its caller should tell the user.
@@ -42,7 +43,7 @@ class [[nodiscard]] Status {
 std::string ToString(StatusCode code);
 
 /// The process exit status of a program that ends with this code: 0 ok, 1 not converged or
-/// cancelled, 2 invalid input, 3 infeasible, 4 unrepresentable.
+/// cancelled, 2 invalid input or a failing machine, 3 infeasible, 4 unrepresentable.
 int ExitStatus(StatusCode code);
 
 /// A value, or the status that says why there is none.

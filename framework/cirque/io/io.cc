@@ -33,17 +33,6 @@ const Registry<MeshFormat>& MeshFormats() {
   return formats;
 }
 
-/// What follows the last dot of the file's name, in lower case.
-std::string Extension(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  const std::size_t dot = name.rfind('.');
-  std::string extension = dot == std::string::npos ? "" : name.substr(dot + 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 template <class Point>
 Status CheckFinite(const char* kind, const std::vector<Point>& points) {
   const auto bad =
@@ -54,7 +43,7 @@ Status CheckFinite(const char* kind, const std::vector<Point>& points) {
                   bad - points.begin() + 1));
 }
 
-Status CheckWritable(const MeshFormat& format, const PolygonSoup& mesh) {
+Status CheckHolds(const MeshFormat& format, const PolygonSoup& mesh) {
   if (!format.format || (!mesh.texture.empty() && !format.holds_texture)) {
     return Status::InvalidInput(fmt::format("this format cannot hold {}; write one of: {}",
                                             format.format ? "UVs" : "the mesh exactly",
@@ -66,8 +55,19 @@ Status CheckWritable(const MeshFormat& format, const PolygonSoup& mesh) {
 
 }  // namespace
 
+std::string MeshExtension(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos && path.starts_with("/dev/")) return "obj";
+  std::string extension = dot == std::string::npos ? "" : name.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 StatusOr<PolygonSoup> ReadMesh(const std::string& path) {
-  const StatusOr<MeshFormat> format = MeshFormats().Find(Extension(path));
+  const StatusOr<MeshFormat> format = MeshFormats().Find(MeshExtension(path));
   if (!format.ok()) return format.status().In(path);
   const StatusOr<std::string> content = ReadFileContent(path);
   if (!content.ok()) return content.status();
@@ -81,9 +81,9 @@ StatusOr<PolygonSoup> ReadMesh(const std::string& path) {
 }
 
 Status WriteMesh(const std::string& path, const PolygonSoup& mesh) {
-  const StatusOr<MeshFormat> format = MeshFormats().Find(Extension(path));
+  const StatusOr<MeshFormat> format = MeshFormats().Find(MeshExtension(path));
   if (!format.ok()) return format.status().In(path);
-  const Status status = CheckWritable(*format, mesh);
+  const Status status = CheckHolds(*format, mesh);
   return status.ok() ? WriteFileAtomically(path, format->format(mesh)) : status.In(path);
 }
 

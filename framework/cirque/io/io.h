@@ -21,6 +21,10 @@ namespace cirque {
 /// as such: see preflight.h.
 StatusOr<PolygonSoup> ReadMesh(const std::string& path);
 
+/// What follows the last dot of the file's name, in lower case: the format of a mesh. Devices and
+/// streams without one (/dev/stdin, /dev/stdout) hold an obj.
+std::string MeshExtension(const std::string& path);
+
 /// Writes a mesh by its file name's extension, atomically, coordinates in shortest round-trip
 /// digits. Refuses coordinates that are not finite, and texture coordinates where the format is not
 /// obj.
