@@ -10,6 +10,7 @@
 
 #include "experiments/audit_energies/audit.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/program.h"
 
 DEFINE_string(json, "", "write the findings as JSON too; without =FILE, print it instead");
 DECLARE_bool(help);
@@ -56,4 +57,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque::audit_energies
 
-int main(int argc, char** argv) { return cirque::audit_energies::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return cirque::RunMain("audit_energies", argc, argv, cirque::audit_energies::Main);
+}

@@ -16,6 +16,7 @@
 #include "experiments/circle_patterns/job.h"
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
+#include "experiments/common/program.h"
 #include "experiments/common/solve_progress.h"
 
 namespace cirque {
@@ -28,8 +29,8 @@ constexpr char kUsage[] =
     "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
     "  circle_patterns OPTIONS.txt           all options in one text file\n"
     "  mpirun -n 4 circle_patterns ...       -radii_solver=newton_amg distributed over processes\n"
-    "Exit status: 0 done, 1 not converged, 2 bad input, 3 infeasible (see its certificate), 4 "
-    "unrepresentable.\n";
+    "Exit status: 0 done, 1 not converged, inaccurate or interrupted, 2 bad input or the machine "
+    "failed, 3 infeasible (see its certificate), 4 unrepresentable.\n";
 
 int Conclude(const Status& status) {
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
@@ -37,16 +38,15 @@ int Conclude(const Status& status) {
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control) {
-  return job.input_con.empty() ? RunOnMesh(job, control, std::cout)
-                               : RunOnMetric(job, control, std::cout);
+  std::ostream& report = job.output == "/dev/stdout" ? std::cerr : std::cout;
+  return job.input_con.empty() ? RunOnMesh(job, control, report)
+                               : RunOnMetric(job, control, report);
 }
 
 int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
-  UseOneBlasThread();
-  UseOneHeap();
   const StatusOr<bool> served = ServeOtherRanks();
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;
@@ -63,7 +63,7 @@ int Main(int argc, char** argv) {
   const StatusOr<CirclePatternsJob> job = flags.Job();
   if (!job.ok()) return Conclude(job.status());
   const int threads = flags.settings().threads;
-  const ThreadLimit limit(threads > 0 ? threads : ThreadsByEnvironment());
+  const ThreadLimit limit(ReserveBlasBuffers(threads > 0 ? threads : ThreadsByEnvironment()));
   CatchInterrupts();
   SolveProgress progress(stderr);
   const SolveControl control{progress.Callback(), InterruptFlag()};
@@ -75,4 +75,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque
 
-int main(int argc, char** argv) { return cirque::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return cirque::RunMain("circle_patterns", argc, argv, cirque::Main);
+}

@@ -9,6 +9,17 @@ namespace cirque {
 /// second thread gains little on an idle machine and loses much where jobs run side by side.
 void UseOneBlasThread();
 
+/// Begins the program `argv` anew with OPENBLAS_NUM_THREADS=1 where the address space is limited
+/// (ulimit -v) and the variable is not set: OpenBLAS's threads, made while it is loaded, wait for
+/// ever for buffers that do not fit. To be called before all else.
+void RestartWithOneBlasThread(char** argv);
+
+/// Takes the buffers that OpenBLAS needs for calls from `threads` threads at once (0: as many as
+/// there are cores) where the address space is limited: it waits for ever for one that it cannot
+/// have. Returns for how many there was room, `threads` where nothing is limited.
+/// Throws std::bad_alloc where there is not even room for one.
+int ReserveBlasBuffers(int threads);
+
 /// CIRQUE_NUM_THREADS, the most threads of our own loops (core/parallel.h); 0, all cores, without
 /// it.
 int ThreadsByEnvironment();

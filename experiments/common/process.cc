@@ -24,20 +24,44 @@ void UseOneHeap() {
 
 namespace {
 
+constexpr int kCancelledStatus = 1;
+
 // A signal handler may touch lock-free atomics only.
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void OnSignal(int /*signal*/) { interrupted = true; }
+timer_t patience;  // set once, before the handlers
+
+void OnLongWait(int /*signal*/) {
+  constexpr char kMessage[] = "interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+  _exit(kCancelledStatus);
+}
+
+void OnSignal(int /*signal*/) {
+  interrupted = true;
+  const itimerspec wait = {{}, {0, static_cast<long>(1e9 * kInterruptSeconds)}};
+  timer_settime(patience, 0, &wait, nullptr);
+}
+
+void Handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal, &action, nullptr);
+}
 
 }  // namespace
 
 void CatchInterrupts() {
-  struct sigaction action = {};
-  action.sa_handler = OnSignal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  if (timer_create(CLOCK_MONOTONIC, &event, &patience) != 0) return;  // signals end the process
+  Handle(SIGALRM, OnLongWait, SA_RESTART);
+  constexpr int kOnce = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  Handle(SIGINT, OnSignal, kOnce);
+  Handle(SIGTERM, OnSignal, kOnce);
 }
 
 bool IsInterrupted() { return interrupted; }

@@ -11,8 +11,12 @@ namespace cirque {
 /// the peak. Our threads allocate little while they run, so nothing waits.
 void UseOneHeap();
 
-/// From here on the first Ctrl-C (or SIGTERM) only asks to stop; a second one ends the process.
+/// From here on the first Ctrl-C (or SIGTERM) asks to stop. Where that has not been heard within
+/// kInterruptSeconds, as in a long factorization, or at a second signal, the process ends as it is,
+/// with the exit status of kCancelled: files are written whole or not at all (core/atomic_file.h).
 void CatchInterrupts();
+
+constexpr double kInterruptSeconds = 0.5;
 
 bool IsInterrupted();
 

@@ -11,6 +11,7 @@
 #include "cirque/core/atomic_file.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/program.h"
 #include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/flat_tables.h"
 #include "experiments/experiment_report/page.h"
@@ -93,4 +94,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque::experiment_report
 
-int main(int argc, char** argv) { return cirque::experiment_report::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return cirque::RunMain("experiment_report", argc, argv, cirque::experiment_report::Main);
+}

@@ -9,6 +9,7 @@
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
 #include "experiments/common/process.h"
+#include "experiments/common/program.h"
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/schema.h"
 #include "experiments/run_experiment/results/columns.h"
@@ -102,14 +103,16 @@ StatusOr<RunnerOptions> ChooseOptions() {
 }
 
 /// Has the program experiment_report, where it lies beside this one, write its page of the results
-/// in `folder` and say where it is.
-void WriteReport(const std::string& folder) {
+/// in `folder` and say where it is. Whether it did.
+bool WriteReport(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  if (!fs::exists(here / "experiment_report", error)) return;
+  if (!fs::exists(here / "experiment_report", error)) return true;
   std::fflush(stdout);  // its lines come after ours
-  RunAndWait({here / "experiment_report", folder});
+  if (RunAndWait({here / "experiment_report", folder}) == 0) return true;
+  fmt::print(stderr, "the report of {} was not written\n", folder);
+  return false;
 }
 
 int Run(ExperimentConfig config) {
@@ -131,9 +134,8 @@ int Run(ExperimentConfig config) {
   const StatusOr<RunSummary> summary = RunExperiment(config, *runs, options, ParameterizeRun);
   if (!summary.ok()) return Refuse(summary.status());
   PrintSummary(*summary, own.size(), config.output + "/" + options.shard.FileName());
-  if (FLAGS_report && options.shard.IsWhole() && !summary->records.empty()) {
-    WriteReport(config.output);
-  }
+  const bool wants_report = FLAGS_report && options.shard.IsWhole() && !IsInterrupted();
+  if (wants_report && !summary->records.empty() && !WriteReport(config.output)) return kBadInput;
   return summary->AllSettled() ? 0 : kSomeRunFailed;
 }
 
@@ -141,8 +143,6 @@ int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
-  UseOneBlasThread();
-  UseOneHeap();
   if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeRun);
   const StatusOr<std::vector<std::string>> arguments =
       ParseFlags(argc, argv, kSource, {}, {{"jobs", "parallel_runs"}});
@@ -165,4 +165,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque
 
-int main(int argc, char** argv) { return cirque::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return cirque::RunMain("run_experiment", argc, argv, cirque::Main);
+}

@@ -12,6 +12,7 @@
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/program.h"
 #include "experiments/studies/studies.h"
 
 DECLARE_bool(help);
@@ -90,7 +91,6 @@ int Main(int argc, char** argv) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
   google::InitGoogleLogging(argv[0]);
-  UseOneBlasThread();
   StatusOr<std::vector<std::string>> words = ParseFlags(argc, argv, kSource);
   if (!words.ok()) return Complain("studies", words.status());
   if (words->empty()) {
@@ -115,4 +115,4 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque
 
-int main(int argc, char** argv) { return cirque::Main(argc, argv); }
+int main(int argc, char** argv) { return cirque::RunMain("studies", argc, argv, cirque::Main); }

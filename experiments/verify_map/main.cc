@@ -16,6 +16,7 @@
 #include "cirque/verify/sphere_check.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/program.h"
 #include "experiments/verify_map/measures.h"
 
 DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
@@ -157,4 +158,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace cirque::verify
 
-int main(int argc, char** argv) { return cirque::verify::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return cirque::RunMain("verify_map", argc, argv, cirque::verify::Main);
+}

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
@@ -53,7 +55,7 @@ Record CrashRecord(const ReadyRun& ready, const ChildProcess& process) {
   if (process.WasKilled()) std::this_thread::sleep_for(kNextToBeKilled);
   const std::string message = fmt::format("the run's process ended by {} without a record{}",
                                           process.HowItEnded(), LastWords(process.Errors()));
-  return FailedRecord(ready, kCrash, message, process.Seconds());
+  return FailedRecord(ready, process.WasKilled() ? kKilled : kCrash, message, process.Seconds());
 }
 
 Record RecordOf(const ReadyRun& ready, const ChildProcess& process) {
@@ -123,13 +125,15 @@ int RunWorker(const RunFunction& carry_out) {
     fmt::print(stderr, "{}\n", ready.status().message());
     return 1;
   }
-  const ThreadLimit limit(ThreadsByEnvironment());
+  const ThreadLimit limit(ReserveBlasBuffers(ThreadsByEnvironment()));
   ready->provenance["blas_threads"] = NumBlasThreads();
   ready->provenance["threads"] = NumThreads();
+  const Timer timer;
   StatusOr<Record> record = CarryOut(*ready, carry_out);
+  // The run itself went well; what it made could not be kept.
   if (!record.ok()) {
-    fmt::print(stderr, "{}\n", record.status().message());
-    return 1;
+    record = FailedRecord(*ready, ToString(StatusCode::kResource), record.status().message(),
+                          timer.Seconds());
   }
   if (!record->contains("peak_memory_mib")) (*record)["peak_memory_mib"] = PeakMemoryMib();
   fmt::print("{}\n", ToLine(*record));
