@@ -1,4 +1,7 @@
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -190,6 +193,49 @@ TEST_F(RunExperimentTest, ACancelledRunIsMadeAgain) {
   Run();
   fake_.outcome.clear();
   EXPECT_EQ(Run().ran, 2);
+}
+
+TEST_F(RunExperimentTest, ARunThatTheMachineFailedIsMadeAgain) {
+  fake_.outcome[3] = "resource";
+  EXPECT_FALSE(Run().AllSettled());
+  fake_.outcome.clear();
+  EXPECT_EQ(Run().ran, 2);
+}
+
+TEST_F(RunExperimentTest, TheLaterRecordHoldsThoughTheClockWasSetBack) {
+  Run();
+  // The same records as if the clock had been years ahead.
+  std::string text = folder_.Read("out/results.jsonl");
+  const std::string year = "\"started\":\"20";
+  for (std::size_t at = text.find(year); at != std::string::npos; at = text.find(year, at + 1)) {
+    text[at + year.size()] = '9';
+  }
+  folder_.Write("out/results.jsonl", text);
+  RunnerOptions options;
+  options.fresh = true;
+  fake_.outcome[3] = "not_converged";
+  EXPECT_FALSE(Run(options).AllSettled());
+  EXPECT_FALSE(Run().AllSettled());  // read back from the file
+}
+
+TEST_F(RunExperimentTest, ARecordThatDoesNotFitOnTheDiskIsTakenBackWhole) {
+  Run();
+  const std::string before = folder_.Read("out/results.jsonl");
+  rlimit limit = {};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  const rlimit small = {before.size() + 10, limit.rlim_max};
+  signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  RunnerOptions options;
+  options.fresh = true;
+  const StatusOr<RunSummary> full =
+      RunExperiment(config_, config_.runs, options, fake_.AsRunFunction());
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  signal(SIGXFSZ, SIG_DFL);
+  ASSERT_FALSE(full.ok());
+  EXPECT_EQ(full.status().code(), StatusCode::kResource);
+  EXPECT_EQ(folder_.Read("out/results.jsonl"), before);
+  EXPECT_EQ(Run().ran, 0);
 }
 
 TEST_F(RunExperimentTest, InfeasibleRunsLeaveTheirCertificate) {

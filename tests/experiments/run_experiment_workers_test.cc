@@ -102,9 +102,32 @@ TEST_F(RunExperimentWorkers, ACrashIsARecordWithTheLastWords) {
             "the run's process ended by signal 11 (Segmentation fault) without a record; it said: "
             "out of luck");
   EXPECT_EQ(Run().ran, 0);
-  options_.fresh = true;
+}
+
+TEST_F(RunExperimentWorkers, ARunThatSomebodyKilledIsMadeAgain) {
+  const auto worker = options_.worker;
   options_.worker = Shell("kill -KILL $$");
-  EXPECT_EQ(RunOne()["message"], "the run's process ended by signal 9 (Killed) without a record");
+  const Record record = RunOne();
+  EXPECT_EQ(record["outcome"], "killed");
+  EXPECT_EQ(record["message"], "the run's process ended by signal 9 (Killed) without a record");
+  options_.worker = worker;
+  const RunSummary again = Run();
+  EXPECT_EQ(again.ran, 1);
+  EXPECT_EQ(again.records.at(0)["outcome"], "ok");
+}
+
+TEST_F(RunExperimentWorkers, WhatCouldNotBeKeptIsTheMachinesFaultAndMadeAgain) {
+  config_.runs.resize(1);
+  config_.runs[0].keep_map = true;
+  folder_.Write("out/maps", "a file where the folder of maps should be");
+  const RunSummary failed = Run();
+  ASSERT_EQ(failed.records.size(), 1u);
+  EXPECT_EQ(failed.records[0]["outcome"], "resource");
+  EXPECT_THAT(std::string(failed.records[0]["message"]), HasSubstr("/maps: cannot create"));
+  std::filesystem::remove(folder_.Path("out/maps"));
+  const RunSummary again = Run();
+  EXPECT_EQ(again.ran, 1);
+  EXPECT_EQ(again.records.at(0)["outcome"], "ok");
 }
 
 TEST_F(RunExperimentWorkers, AnythingButTheRunsOwnRecordIsACrash) {

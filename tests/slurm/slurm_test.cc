@@ -99,7 +99,7 @@ TEST(SlurmScript, PrintsAnArrayThatIsQueuedAgain) {
             "/run_experiment -- --only='*/thin' --sbatch-partition=long");
   ASSERT_EQ(script.exit_status, 0) << script.output;
   for (const char* line : {"#SBATCH --array=1-5\n", "#SBATCH --cpus-per-task=3\n",
-                           "#SBATCH --requeue\n", "#SBATCH --partition=long\n",
+                           "#SBATCH --requeue\n", "#SBATCH --partition=\"long\"\n",
                            "/a\\ study.yaml --only=\\*/thin --parallel_runs=3 "
                            "--shard=\"$SLURM_ARRAY_TASK_ID/5\"\n"}) {
     EXPECT_THAT(script.output, HasSubstr(line));
@@ -116,6 +116,7 @@ TEST(SlurmScript, RefusesMistakesBeforeAnythingIsSubmitted) {
            {config + " --shards 0", "--shards 0: expected a whole number"},
            {config + " --shard 3", "unknown flag '--shard'"},
            {"/nowhere/a.yaml", "/nowhere/a.yaml: there is no such file"},
+           {config + " --logs 'say \"x\"'", "sbatch's lines can hold no double quote"},
            {bad + program, "bad.yaml:1:1: the key 'meshes' is missing"},
            {config + program + " -- --only=zzz", "--only=zzz: no run of "}}) {
     const ProgramResult refused =

@@ -143,7 +143,8 @@ bool IsFinished(const Record& record, const PlannedRun& run) {
   if (outcome == kTimeLimit) return !IsRaised(record, "seconds", run.limits.seconds);
   if (outcome == kMemoryLimit) return !IsRaised(record, "memory_mib", run.limits.memory_mib);
   if (outcome == ToString(StatusCode::kOk) && run.keep_map) return record.contains("map");
-  return outcome != ToString(StatusCode::kCancelled);
+  return outcome != ToString(StatusCode::kCancelled) &&
+         outcome != ToString(StatusCode::kResource) && outcome != kKilled;
 }
 
 bool IsSettled(const Record& record) {

@@ -12,10 +12,10 @@
 
 namespace cirque {
 
-/// Outcomes beside those of StatusCode: the run threw, its process ended without a record, or it
-/// was ended at a limit.
-inline constexpr char kException[] = "exception", kCrash[] = "crash", kTimeLimit[] = "time_limit",
-                      kMemoryLimit[] = "memory_limit";
+/// Outcomes beside those of StatusCode: the run threw, its process ended without a record, was
+/// killed by somebody else (a user, the system short of memory), or was ended at a limit.
+inline constexpr char kException[] = "exception", kCrash[] = "crash", kKilled[] = "killed",
+                      kTimeLimit[] = "time_limit", kMemoryLimit[] = "memory_limit";
 
 /// One run as one self-contained object of results.jsonl.
 using Record = nlohmann::json;
@@ -37,8 +37,9 @@ std::string ToLine(const Record& record);
 
 std::string OutcomeOf(const Record& record);
 
-/// Whether the run need not be made again: it was not cancelled, was not ended by a lower limit
-/// than the run's, and left its map where the run keeps it.
+/// Whether the run need not be made again: it came to its own end (was not cancelled or killed, and
+/// the machine did not fail it), was not ended by a lower limit than the run's, and left its map
+/// where the run keeps it.
 bool IsFinished(const Record& record, const PlannedRun& run);
 
 /// Whether the run ended as it should: in a map, or in an infeasibility certificate.

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,7 +26,14 @@ namespace {
 
 constexpr int kAttempts = 20;
 constexpr std::chrono::milliseconds kPause(50);
+constexpr char kSequence[] = "sequence";
 constexpr char kStarted[] = "/provenance/started";  ///< ISO 8601 in UTC: texts compare as times do
+
+/// What orders two records with one key. A clock may be set back; it decides only between records
+/// of before there were sequence numbers.
+std::pair<std::int64_t, std::string> Order(const Record& record) {
+  return {record.value(kSequence, std::int64_t{0}), TextAt(record, kStarted)};
+}
 
 namespace fs = std::filesystem;
 
@@ -39,11 +47,20 @@ class AppendOnlyFile {
     if (descriptor_ >= 0) close(descriptor_);
   }
 
-  /// One write call, so that records of several processes do not mix.
+  /// One write call, so that records of several processes do not mix. What was written in part is
+  /// taken back; errno says why.
   bool Write(const std::string& text) const {
-    return descriptor_ >= 0 &&
-           write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-           fdatasync(descriptor_) == 0;
+    struct stat before = {};
+    if (descriptor_ < 0 || fstat(descriptor_, &before) != 0) return false;
+    errno = ENOSPC;  // where less than all is written
+    if (write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+        fdatasync(descriptor_) == 0) {
+      return true;
+    }
+    const int error = errno;
+    [[maybe_unused]] const int taken_back = ftruncate(descriptor_, before.st_size);
+    errno = error;
+    return false;
   }
 
  private:
@@ -114,14 +131,16 @@ const Record* ResultsLog::Find(const std::string& key) const {
   return found == last_.end() ? nullptr : &records_[found->second];
 }
 
-Status ResultsLog::Append(const Record& record) {
+Status ResultsLog::Append(Record record) {
+  record[kSequence] = sequence_ + 1;
   // A torn last line is sealed first: it stays unreadable, the new one does not join it.
   const std::string line = fmt::format("{}{}\n", ends_torn_ ? "\n" : "", ToLine(record));
   if (!AppendOnlyFile(path_).Write(line)) {
-    return Status::InvalidInput(fmt::format("{}: cannot append: {}", path_, std::strerror(errno)));
+    return {StatusCode::kResource,
+            fmt::format("{}: cannot append: {}", path_, std::strerror(errno))};
   }
   ends_torn_ = false;
-  Keep(record);
+  Keep(std::move(record));
   return Status();
 }
 
@@ -145,8 +164,8 @@ void ResultsLog::Keep(Record record) {
   const std::string key = record["key"];
   const auto last = last_.find(key);
   // Of two files the one read later need not be the later one.
-  if (last != last_.end() && TextAt(records_[last->second], kStarted) > TextAt(record, kStarted))
-    return;
+  if (last != last_.end() && Order(records_[last->second]) > Order(record)) return;
+  sequence_ = std::max(sequence_, Order(record).first);
   last_[key] = records_.size();
   records_.push_back(std::move(record));
 }

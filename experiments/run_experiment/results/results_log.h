@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -40,7 +41,9 @@ class ResultsLog {
   /// The last record with that key, or nullptr.
   const Record* Find(const std::string& key) const;
 
-  Status Append(const Record& record);
+  /// Numbers the record by one more than all before (`sequence`): the later of two with one key is
+  /// known without a clock. Error (kResource): it could not be written; the file is as it was.
+  Status Append(Record record);
 
   /// Takes the shards' records, if there are any, into results.jsonl, which is replaced whole. The
   /// shards' files stay: they may be written at this moment. @pre opened for no shard.
@@ -61,7 +64,8 @@ class ResultsLog {
   std::vector<Record> records_;
   std::map<std::string, std::size_t> last_;  ///< key -> its position in records_
   int skipped_lines_ = 0;
-  bool ends_torn_ = false;  ///< the own file
+  std::int64_t sequence_ = 0;  ///< the largest number of a record
+  bool ends_torn_ = false;     ///< the own file
   bool has_shards_ = false;
 };
 

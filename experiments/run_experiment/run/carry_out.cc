@@ -79,6 +79,7 @@ Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
 RunResult ParameterizeRun(const PlannedRun& run, const std::string& mesh_path) {
   RunResult result;
   const Status status = Run(run, mesh_path, &result);
+  if (status.ok() && result.certificate.outcome == kInaccurate) return result;
   result.certificate.outcome = ToString(status.code());
   result.certificate.message = status.message();
   return result;

@@ -114,7 +114,10 @@ ChildProcess::~ChildProcess() {
 }
 
 bool ChildProcess::HasEnded() {
-  if (pid_ > 0 && waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = -1;
+  if (pid_ <= 0) return true;
+  const pid_t ended = waitpid(pid_, &status_, WNOHANG);
+  // Of a child that was reaped elsewhere nothing but its output tells.
+  if (ended == pid_ || (ended < 0 && errno == ECHILD)) pid_ = -1;
   return pid_ <= 0;
 }
 
@@ -135,7 +138,7 @@ double ChildProcess::ResidentMib() const {
 }
 
 bool ChildProcess::WasKilled() const {
-  return WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL;
+  return WIFSIGNALED(status_) && (WTERMSIG(status_) == SIGKILL || WTERMSIG(status_) == SIGTERM);
 }
 
 bool ChildProcess::Succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <new>
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/solve_summary.h"
@@ -17,6 +18,9 @@ RunResult RunCaught(const ReadyRun& ready, const RunFunction& carry_out) {
   const Timer timer;
   try {
     result = carry_out(ready.run, ready.mesh.path);
+  } catch (const std::bad_alloc&) {
+    result.certificate.outcome = ToString(StatusCode::kResource);
+    result.certificate.message = "out of memory";
   } catch (const std::exception& error) {
     result.certificate.outcome = kException;
     result.certificate.message = error.what();
