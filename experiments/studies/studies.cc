@@ -26,6 +26,10 @@ const std::vector<Study>& Studies() {
        "Maps to the unit disk and to rectangles, refined, against what is known of them:\n"
        "results/disk_accuracy.md.",
        "experiments/studies/disk_accuracy.cc", RunDiskAccuracy},
+      {"invariance", "[FLAGS]",
+       "Maps rough patches as they are and renumbered, turned in space and scaled, and counts the\n"
+       "maps that differ by more than a similarity.",
+       "experiments/studies/invariance.cc", RunInvariance},
       {"reference_factorization", "[FLAGS] MESH ...",
        "Times one analysis and factorization of each mesh's V x V cotangent Laplacian, beside\n"
        "which the times of other programs and machines can be read. --output writes the mesh,\n"

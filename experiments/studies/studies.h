@@ -40,6 +40,9 @@ Status RunLorentz(const StudyCall& call);
 /// Holds maps to the unit disk and to rectangles against known ones.
 Status RunDiskAccuracy(const StudyCall& call);
 
+/// Maps surfaces, and again renumbered, turned and scaled.
+Status RunInvariance(const StudyCall& call);
+
 /// Times the factorization that every linear conformal map needs.
 Status RunReferenceFactorization(const StudyCall& call);
 

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "cirque/generators/generators.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/predicates.h"
+#include "cirque/mesh/preflight.h"
 
+#include "tests/common/renumbering.h"
 #include "tests/common/surfaces.h"
 #include "tests/mesh/scrambled.h"
 
@@ -234,6 +238,30 @@ TEST(IntrinsicDelaunay, SharpSpikeOfOneCornerIsAFaceGluedToItself) {
   EXPECT_EQ(t.twin[Triangulation::Next(h)], Triangulation::Prev(h));
   EXPECT_NEAR(AngleSums(t, delaunay.lengths)[0], AngleSums(mesh.triangulation, mesh.lengths)[0],
               1e-10);
+}
+
+TEST(IntrinsicDelaunay, DoesNotDependOnNumbersNorOnScale) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> height(0, 0.2);
+  int flips = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    PolygonSoup soup = *GenerateMesh("flat_delaunay_patch", {150, seed});
+    for (Eigen::Vector3d& x : soup.position) x.z() = height(random);
+    PreflightReport report;
+    const IntrinsicMesh mesh = Intrinsic(*Preflight(soup, &report));
+    const Renumbering renumbered = Renumber(mesh.triangulation, seed);
+    EdgeLengths lengths = renumbered.Lengths(mesh.triangulation, mesh.lengths);
+    lengths.value *= 3.7;
+    const IntrinsicTriangulation here = Delaunay(mesh);
+    const IntrinsicTriangulation there = Delaunay({renumbered.triangulation, lengths});
+    flips += static_cast<int>(here.flips.size());
+    EdgeSet moved;
+    for (const auto& [u, w] : EdgesOf(here.triangulation)) {
+      moved.insert(std::minmax(renumbered.vertex[u], renumbered.vertex[w]));
+    }
+    EXPECT_EQ(moved, EdgesOf(there.triangulation)) << "seed " << seed;
+  }
+  EXPECT_GT(flips, 500);
 }
 
 TEST(IntrinsicDelaunay, EndsOnCocircularEdgesAndOnExtremeScales) {

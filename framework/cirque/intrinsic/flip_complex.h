@@ -20,6 +20,7 @@ class FlipComplex {
   Index vertex(Index h) const { return side_[h].vertex; }  ///< at the corner opposite h
   Index twin(Index h) const { return side_[h].twin; }
   Index label(Index h) const { return side_[h].label; }
+  double length(Index h) const { return side_[h].length; }  ///< of its edge
 
   /// tan^2 of half the corner angle opposite h: 0 .. infinity.
   double SquaredHalfTangent(Index h) const;

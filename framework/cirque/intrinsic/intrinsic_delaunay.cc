@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <utility>
 
 #include <glog/logging.h>
@@ -80,6 +82,16 @@ std::vector<Index> LeastCorners(const Triangulation& t, const EdgeLengths& lengt
 
 bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 
+/// An edge that waits to be flipped, and what says when: the worst violation first, then the
+/// longest edge. Single precision, so that rounding (of a rotated surface) does not decide between
+/// two; the slot does where all else is equal, as on a symmetric surface.
+struct Violation {
+  float ratio, length;
+  Index halfedge;
+
+  auto operator<=>(const Violation&) const = default;
+};
+
 class DelaunayFlipper {
  public:
   DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
@@ -93,13 +105,15 @@ class DelaunayFlipper {
 
   void Run() {
     for (Index h = 0; h < complex_.num_halfedges(); ++h) {
-      if (complex_.twin(h) > h) FlipFrom(h);
+      if (complex_.twin(h) > h) Await(h);
     }
+    FlipAwaiting();
     // A vertex at its least number of corners may have gained some since.
     std::size_t flips_before = 0;
     while (!guarded_.empty() && flips_before != flips_.size()) {
       flips_before = flips_.size();
-      for (const Index h : std::exchange(guarded_, {})) FlipFrom(h);
+      for (const Index h : std::exchange(guarded_, {})) Await(h);
+      FlipAwaiting();
     }
   }
 
@@ -107,19 +121,26 @@ class DelaunayFlipper {
   std::vector<Index> TakeFlips() && { return std::move(flips_); }
 
  private:
-  void FlipFrom(Index seed) {
-    pending_.push_back(seed);
-    while (!pending_.empty()) {
-      const Index h = pending_.back();
-      pending_.pop_back();
-      if (IsCandidate(h)) TryFlip(h);
-    }
+  std::optional<Violation> ViolationAt(Index h) const {
+    const Index g = complex_.twin(h);
+    if (g == kNone || Triangulation::Face(g) == Triangulation::Face(h)) return std::nullopt;
+    const double ratio = complex_.DelaunayRatio(h);
+    if (!ViolatesDelaunay(ratio) || IsLocked(h)) return std::nullopt;
+    return Violation{static_cast<float>(ratio), static_cast<float>(complex_.length(h)), h};
   }
 
-  bool IsCandidate(Index h) const {
-    const Index g = complex_.twin(h);
-    if (g == kNone || Triangulation::Face(g) == Triangulation::Face(h)) return false;
-    return ViolatesDelaunay(complex_.DelaunayRatio(h)) && !IsLocked(h);
+  void Await(Index h) {
+    if (const auto violation = ViolationAt(h)) awaiting_.push(*violation);
+  }
+
+  /// The order follows the geometry, so that a surface is flipped alike however it is numbered.
+  void FlipAwaiting() {
+    while (!awaiting_.empty()) {
+      const Violation violation = awaiting_.top();
+      awaiting_.pop();
+      // What another flip has changed since waits at its new place.
+      if (ViolationAt(violation.halfedge) == violation) TryFlip(violation.halfedge);
+    }
   }
 
   bool IsLocked(Index h) const {
@@ -139,8 +160,8 @@ class DelaunayFlipper {
     flips_.push_back(h);
     --flips_left_;
     for (const Index side : {h, complex_.twin(h)}) {
-      pending_.push_back(Triangulation::Next(side));
-      pending_.push_back(Triangulation::Prev(side));
+      Await(Triangulation::Next(side));
+      Await(Triangulation::Prev(side));
     }
   }
 
@@ -168,7 +189,8 @@ class DelaunayFlipper {
   const std::vector<bool>& locked_;
   std::vector<Index> corners_, least_corners_;
   const ChordGuard chords_;
-  std::vector<Index> pending_, guarded_;
+  std::priority_queue<Violation> awaiting_;
+  std::vector<Index> guarded_;
   std::vector<Index> flips_;
   std::int64_t flips_left_;
 };
