@@ -31,7 +31,7 @@ StatusOr<std::optional<FilledSurface>> FillIfAsked(const CirclePatternsJob& job,
 
 Status RunOnMesh(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {
   const Timer timer;
-  if (Status s = CheckOutputNames(job); !s.ok()) return s;
+  if (Status s = CheckOutputs(job); !s.ok()) return s;
   const StatusOr<PolygonSoup> soup = ReadMesh(job.input);
   if (!soup.ok()) return soup.status();
   const double read_seconds = timer.Seconds();
@@ -64,7 +64,9 @@ Status RunOnMesh(const CirclePatternsJob& job, const SolveControl& control, std:
     report << fmt::format("wrote       {} ({:.2f} s, {:.0f} MB)\n", job.output, timer.Seconds(),
                           PeakMemoryMib());
   }
-  return WriteCertificate(job, solved, timer, &certificate, status, report);
+  const Status written = WriteCertificate(job, solved, timer, &certificate, status, report);
+  if (!written.ok() || certificate.outcome != kInaccurate) return written;
+  return {StatusCode::kNotConverged, certificate.message};
 }
 
 }  // namespace cirque

@@ -35,7 +35,10 @@ std::string ConeLines(const Certificate& c) {
         c.seams->seams, c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
         c.seams->seam_gap);
   }
-  if (c.cone_repair) {
+  if (c.cone_repair && c.cone_repair->cones_for_range) {
+    text += "cones       chosen, since doubles could not hold the map without\n";
+  }
+  if (c.cone_repair && c.cone_repair->cone_repairs > 0) {
     text += fmt::format("cones       {} moved, {} widened, where they were infeasible\n",
                         c.cone_repair->cones_moved, c.cone_repair->cones_widened);
   }

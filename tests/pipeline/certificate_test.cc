@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -136,6 +137,31 @@ TEST(Certificate, TimesOfAStageAddUp) {
   AddSeconds(Timer(), &seconds);
   EXPECT_GE(*seconds, 100);
   EXPECT_LT(*seconds, 101);
+}
+
+TEST(Certificate, AMapThatMissesTheAccuracyIsNamedAndNeverOk) {
+  Certificate certificate;
+  certificate.radii.emplace().log_radius_range = 30.9;
+  LayoutSummary& layout = certificate.layout.emplace();
+  SeamSummary& seams = certificate.seams.emplace();
+  for (const auto& [closure, lengths] :
+       {std::pair(0.5 * kAccuracy, 0.0), std::pair(0.0, 0.9 * kAccuracy)}) {
+    layout.layout_closure = closure, seams.seam_length_mismatch = lengths;
+    EXPECT_TRUE(Conclude({}, Timer(), &certificate).ok());
+    EXPECT_EQ(certificate.outcome, "ok");
+    EXPECT_EQ(certificate.message, "");
+  }
+  for (const auto& [closure, lengths] : {std::pair(2 * kAccuracy, 0.0), std::pair(0.0, 8e-4)}) {
+    layout.layout_closure = closure, seams.seam_length_mismatch = lengths;
+    EXPECT_TRUE(Conclude({}, Timer(), &certificate).ok());
+    EXPECT_EQ(certificate.outcome, kInaccurate);
+    EXPECT_THAT(certificate.message, testing::HasSubstr("log radii range over 30.9"));
+  }
+  // Another outcome stays what it is.
+  const Status infeasible(StatusCode::kInfeasible, "why");
+  EXPECT_EQ(Conclude(infeasible, Timer(), &certificate).code(), StatusCode::kInfeasible);
+  EXPECT_EQ(certificate.outcome, "infeasible");
+  EXPECT_EQ(certificate.message, "why");
 }
 
 }  // namespace

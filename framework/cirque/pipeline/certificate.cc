@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace cirque {
@@ -64,10 +65,24 @@ std::string Certificate::ToJson() const {
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+std::string Inaccuracy(const Certificate& certificate) {
+  const double closure = certificate.layout ? certificate.layout->layout_closure : 0;
+  const double lengths = certificate.seams ? certificate.seams->seam_length_mismatch : 0;
+  if (!(closure > kAccuracy || lengths > kAccuracy)) return "";
+  return fmt::format(
+      "the map has no flipped triangle but is not accurate to {:.0e}: its edges close to {:.1e} of "
+      "their length, the two sides of seams differ by up to {:.1e}; log radii range over {:.1f}, "
+      "more cones (-cones=greedy) bring that down",
+      kAccuracy, closure, lengths, certificate.radii ? certificate.radii->log_radius_range : 0);
+}
+
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate) {
   certificate->seconds.total = timer.Seconds();
   certificate->outcome = ToString(status.code());
   certificate->message = status.message();
+  if (!status.ok()) return status;
+  certificate->message = Inaccuracy(*certificate);
+  if (!certificate->message.empty()) certificate->outcome = kInaccurate;
   return status;
 }
 

@@ -16,7 +16,7 @@ namespace cirque {
 /// The evidence that a run leaves behind: what its stages tell of themselves. Nothing in it steers
 /// the program. docs/certificate.md is its reference.
 struct Certificate {
-  std::string outcome = "not_run";  ///< ToString(StatusCode)
+  std::string outcome = "not_run";  ///< ToString(StatusCode), or kInaccurate
   std::string message;              ///< why, when the outcome is not ok
   /// "injective"; "boundary_touches": no two boundary edges (seams opened) cross, but some touch,
   /// which verify_map can tell from overlaps; "boundary_overlaps"; "unknown"
@@ -55,6 +55,15 @@ Summary& Fill(std::optional<Summary>* summary) {
 inline void AddSeconds(const Timer& timer, std::optional<double>* seconds) {
   *seconds = seconds->value_or(0) + timer.Seconds();
 }
+
+/// The outcome of a map without flips that doubles do not hold to kAccuracy: laid out edges that
+/// miss their lengths or directions by more, or seams with two sides of different length. It is
+/// written, and is not ok.
+inline constexpr char kInaccurate[] = "inaccurate";
+inline constexpr double kAccuracy = 1e-8;
+
+/// What of a layout misses kAccuracy, for people; empty: nothing.
+std::string Inaccuracy(const Certificate& certificate);
 
 /// Fills in outcome, message and total time of a run; returns its status.
 Status Conclude(const Status& status, const Timer& timer, Certificate* certificate);

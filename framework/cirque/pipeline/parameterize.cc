@@ -21,6 +21,7 @@
 namespace cirque {
 namespace {
 
+constexpr char kConesForRange[] = "greedy";
 constexpr double kFlatness = 1e-6;  ///< [rad]: a vertex closer to 2 pi is no cone
 
 /// What is parameterized, and how.
@@ -187,8 +188,7 @@ Status FlattenAndRepair(const Job& job, Parameterization* result) {
   return status;
 }
 
-Status RunWithCones(const Job& job, Parameterization* result) {
-  if (Status s = CheckOptions(job.options); !s.ok()) return s;
+Status RunWithChosenCones(const Job& job, Parameterization* result) {
   const Timer timer;
   StatusOr<ConeTargets> targets = PlaceCones(job.surface, job.file, job.options);
   result->certificate.seconds.cones = timer.Seconds();
@@ -196,6 +196,27 @@ Status RunWithCones(const Job& job, Parameterization* result) {
   result->targets = *std::move(targets);
   Status status = FlattenAndRepair(job, result);
   return status.ok() ? Run(job, result) : status;
+}
+
+/// Where nobody asked for cones and doubles cannot hold the map, or not to kAccuracy: the same with
+/// cones that a heuristic chooses, kept if that makes a better one.
+Status RunWithCones(const Job& job, Parameterization* result) {
+  if (Status s = CheckOptions(job.options); !s.ok()) return s;
+  const Status status = RunWithChosenCones(job, result);
+  const bool unrepresentable = status.code() == StatusCode::kUnrepresentable;
+  if (!job.options.cones.empty() || job.surface.triangulation.num_faces() == 1) return status;
+  if (!unrepresentable && (!status.ok() || Inaccuracy(result->certificate).empty())) return status;
+  ParameterizeOptions options = job.options;
+  options.cones = kConesForRange;
+  Parameterization other;
+  const Status with_cones =
+      RunWithChosenCones({job.surface, job.file, job.cut, options, job.control}, &other);
+  if (with_cones.code() == StatusCode::kCancelled) return with_cones;
+  if (!with_cones.ok()) return status;
+  if (!unrepresentable && !Inaccuracy(other.certificate).empty()) return status;
+  Fill(&other.certificate.cone_repair).cones_for_range = 1;
+  *result = std::move(other);
+  return with_cones;
 }
 
 Status RunRequest(const IntrinsicSurface& surface, const FileVertices& file,

@@ -44,6 +44,7 @@ struct RadiiSummary {
 /// Cones that were infeasible, and what became of them (RepairCones).
 struct ConeRepairSummary {
   int cone_repairs = 0, cones_moved = 0, cones_widened = 0;
+  int cones_for_range = 0;  ///< 1: without more cones doubles could not hold the map
 };
 
 /// RefineCones.
