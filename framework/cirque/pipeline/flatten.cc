@@ -125,17 +125,22 @@ class Flattening {
     flips_.flips = static_cast<int>(result_.intrinsic.flips.size());
     const auto strategy = MakeSolverStrategy(options_.radii_solver, SolverOptions());
     if (!strategy.ok()) return strategy.status();
-    strategy_ = *strategy;
-    radii_system_ = std::make_unique<RadiiSystem>(t(), *strategy_);
-    if (Status s = Timed(&Flattening::FitAngles, &StageSeconds::angles); !s.ok()) return s;
-    if (Status s = Timed(&Flattening::SolveRadii, &StageSeconds::radii); !s.ok()) return s;
-    radii_system_.reset();
-    return Timed(&Flattening::ReadBack, &StageSeconds::layout);
+    if (Status s = FitAnglesAndRadii(**strategy); !s.ok()) return s;
+    return Timed([this] { return ReadBack(); }, &StageSeconds::layout);
   }
 
-  Status Timed(Status (Flattening::*step)(), std::optional<double> StageSeconds::*stage) {
+  /// The radii's system is analysed while the angles are fitted, and left with this scope: the
+  /// analysis reads a triangulation that the next round replaces.
+  Status FitAnglesAndRadii(const SolverStrategy& strategy) {
+    RadiiSystem system(t(), strategy);
+    if (Status s = Timed([this] { return FitAngles(); }, &StageSeconds::angles); !s.ok()) return s;
+    return Timed([&] { return SolveRadii(strategy, &system); }, &StageSeconds::radii);
+  }
+
+  template <class Step>
+  Status Timed(const Step& step, std::optional<double> StageSeconds::*stage) {
     const Timer timer;
-    Status status = (this->*step)();
+    Status status = step();
     AddSeconds(timer, &(certificate_.seconds.*stage));
     return status;
   }
@@ -211,10 +216,9 @@ class Flattening {
     *status = again;
   }
 
-  Status SolveRadii() {
+  Status SolveRadii(const SolverStrategy& strategy, RadiiSystem* system) {
     LogRadiiResult radii;
-    Status status =
-        SolveLogRadii(t(), result_.angles, *strategy_, job_.control, radii_system_.get(), &radii);
+    Status status = SolveLogRadii(t(), result_.angles, strategy, job_.control, system, &radii);
     Record(radii);
     result_.log_radii = std::move(radii.log_radii);
     return status;
@@ -275,9 +279,7 @@ class Flattening {
   TriangulationSummary& flips_;
   FlatSurface& result_;
   const double source_area_;
-  int rounds_solved_ = 0;                           ///< of the lazily constrained loop
-  std::shared_ptr<const SolverStrategy> strategy_;  ///< of the radii
-  std::unique_ptr<RadiiSystem> radii_system_;       ///< analysed while the angles are fitted
+  int rounds_solved_ = 0;  ///< of the lazily constrained loop
 };
 
 }  // namespace

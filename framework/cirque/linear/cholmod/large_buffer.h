@@ -13,6 +13,10 @@ namespace cirque {
 /// than to compute what comes to stand there.
 class LargeBuffer {
  public:
+  LargeBuffer() = default;
+  LargeBuffer(const LargeBuffer&) = delete;  // the work beside the caller's knows its address
+  LargeBuffer& operator=(const LargeBuffer&) = delete;
+
   /// Begins to touch the pages of that many numbers while the caller goes on, for a first
   /// Reserve() of about as many. Does nothing when there is memory already.
   void ReserveAhead(std::size_t count);
