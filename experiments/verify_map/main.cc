@@ -24,9 +24,12 @@ DEFINE_string(
     measures, "",
     "files of distortion measures, a comma between: .csv (per triangle), .json (per map), "
     ".ply or .ply:MEASURE (colours on IN)");
-DEFINE_string(targets, "",
-              "file of one angle sum [rad] per vertex of IN, or 'free': a map that "
-              "misses one is invalid");
+DEFINE_string(
+    targets, "",
+    "angle sums that are asked for: a file of one a vertex of IN [rad], or 'free', or of "
+    "cones as circle_patterns' -iv takes it, 2 pi at all other inner vertices. A map that "
+    "misses one is invalid; a certificate must prove that these cannot be met, and "
+    "without a file that 2 pi at inner vertices cannot");
 DEFINE_string(infeasible, "", "infeasibility certificate to check against the one mesh given");
 DEFINE_double(position_tolerance, 1e-6,
               "how far a vertex may be off, as a fraction of the bounding box's diagonal");
@@ -39,6 +42,15 @@ DEFINE_string(domain, "plane",
 DEFINE_double(circle_tolerance, 1e-14, "how far a boundary vertex may be off the unit circle");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
 DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
+DEFINE_string(
+    require_seams, "",
+    "file of edges, 'from to' or 'from to face' a line, numbers from 1: a map whose seams "
+    "are others is invalid");
+DEFINE_int32(require_seam_rotations, 0,
+             "a seam whose sides are turned against each other by no multiple of 2 pi / N is "
+             "invalid (4: quadrangulations, seamless grids)");
+DEFINE_int32(max_patches, -1, "a map torn into more patches than this is invalid");
+DEFINE_int32(max_seam_edges, -1, "a map with more seam edges than this is invalid");
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
 DECLARE_bool(help);
 
@@ -47,16 +59,23 @@ namespace {
 
 constexpr char kSource[] = "experiments/verify_map/";
 constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
+/// The proof is right, no solution exists, but for targets that the certificate names itself.
+constexpr int kInfeasibleForOwnTargets = 3;
 
 const char kUsage[] =
     "Checks a UV map, or a certificate that there is none; the verdict shares no code with what "
-    "made "
-    "it.\n"
-    "  verify_map IN OUT                  is OUT, an OBJ with vt, a valid map of the mesh IN?\n"
+    "made it.\n"
+    "  verify_map IN OUT                  is OUT, an OBJ or PLY with texture coordinates, a valid\n"
+    "                                     map of the mesh IN? Faces are found by their corners:\n"
+    "                                     OUT may be renumbered, split at seams, scaled and "
+    "shifted\n"
     "  verify_map --domain=sphere IN OUT  are OUT's points a valid map of IN to the unit sphere?\n"
     "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
     "angles?\n"
-    "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input.";
+    "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input,\n"
+    "3 a certificate that holds for targets of its own only, not for those asked about.";
+
+bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
 
 int Complain(const Status& status) {
   fmt::print(stderr, "verify_map: {}\n", status.message());
@@ -65,7 +84,7 @@ int Complain(const Status& status) {
 
 /// Prints or writes a report, and says by the exit status how it ended.
 template <class Report>
-int Conclude(const Report& report, bool good) {
+int Conclude(const Report& report, int status) {
   if (FLAGS_json == "-") {
     fmt::print("{}", ToJson(report));
   } else {
@@ -75,7 +94,14 @@ int Conclude(const Report& report, bool good) {
       if (!written.ok()) return Complain(written);
     }
   }
-  return good ? kValid : kInvalid;
+  return status;
+}
+
+Status ReadTargetsIfGiven(const PolygonSoup& in, AngleTargets* targets) {
+  if (FLAGS_targets.empty()) return Status();
+  StatusOr<AngleTargets> given = ReadTargets(FLAGS_targets, static_cast<Index>(in.position.size()));
+  if (given.ok()) *targets = *std::move(given);
+  return given.status();
 }
 
 int VerifyInfeasibility(const std::vector<std::string>& files) {
@@ -84,9 +110,12 @@ int VerifyInfeasibility(const std::vector<std::string>& files) {
   if (!certificate.ok()) return Complain(certificate.status());
   const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
   if (!in.ok()) return Complain(in.status());
-  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(*certificate, *in);
+  AngleTargets targets = DefaultTargets();
+  if (Status s = ReadTargetsIfGiven(*in, &targets); !s.ok()) return Complain(s);
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(*certificate, *in, targets);
   if (!report.ok()) return Complain(report.status());
-  return Conclude(*report, report->accepted());
+  if (!report->accepted()) return Conclude(*report, kInvalid);
+  return Conclude(*report, report->proves_asked ? kValid : kInfeasibleForOwnTargets);
 }
 
 /// Adds the distortion measures to the report and writes them to the files asked for; nothing where
@@ -96,7 +125,7 @@ Status Measure(const std::vector<MeasureFile>& files, const PolygonSoup& in, Map
   const MapMeasures measures = MeasureComplex(*report->complex, in.position);
   report->quality = ToQualityFigures(measures);
   if (files.empty()) return Status();
-  return WriteMeasureFiles(files, in.position, FanTriangulate(in)->vertex, measures);
+  return WriteMeasureFiles(files, in.position, report->complex->mesh().vertex, measures);
 }
 
 int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
@@ -105,7 +134,28 @@ int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
   }
   const StatusOr<SphereReport> report = VerifySphereMap(in, out, {FLAGS_radius_tolerance});
   if (!report.ok()) return Complain(report.status());
-  return Conclude(*report, report->valid());
+  return Conclude(*report, report->valid() ? kValid : kInvalid);
+}
+
+StatusOr<VerifyOptions> OptionsOfFlags(const PolygonSoup& in) {
+  VerifyOptions options;
+  options.position_tolerance = FLAGS_position_tolerance;
+  options.angle_tolerance = FLAGS_angle_tolerance;
+  options.unit_disk = FLAGS_domain == "disk";
+  options.circle_tolerance = FLAGS_circle_tolerance;
+  options.require_injective = FLAGS_require_injective;
+  options.seams.tolerance = FLAGS_seam_tolerance;
+  options.seams.rigid = FLAGS_require_rigid_seams;
+  options.seams.rotation_order = FLAGS_require_seam_rotations;
+  if (IsGiven("max_patches")) options.seams.max_patches = FLAGS_max_patches;
+  if (IsGiven("max_seam_edges")) options.seams.max_edges = FLAGS_max_seam_edges;
+  if (!FLAGS_require_seams.empty()) {
+    auto edges = ReadEdges(FLAGS_require_seams, static_cast<Index>(in.position.size()));
+    if (!edges.ok()) return edges.status();
+    options.seams.edges = *std::move(edges);
+  }
+  if (Status s = ReadTargetsIfGiven(in, &options.targets); !s.ok()) return s;
+  return options;
 }
 
 int VerifyFiles(const std::vector<std::string>& files) {
@@ -114,25 +164,14 @@ int VerifyFiles(const std::vector<std::string>& files) {
   const StatusOr<PolygonSoup> out = ReadMesh(files[1]);
   if (!out.ok()) return Complain(out.status());
   if (FLAGS_domain == "sphere") return VerifyOnSphere(*in, *out);
-  VerifyOptions options;
-  options.position_tolerance = FLAGS_position_tolerance;
-  options.angle_tolerance = FLAGS_angle_tolerance;
-  options.seam_tolerance = FLAGS_seam_tolerance;
-  options.unit_disk = FLAGS_domain == "disk";
-  options.circle_tolerance = FLAGS_circle_tolerance;
-  options.require_injective = FLAGS_require_injective;
-  options.require_rigid_seams = FLAGS_require_rigid_seams;
-  if (!FLAGS_targets.empty()) {
-    auto targets = ReadTargets(FLAGS_targets, static_cast<Index>(in->position.size()));
-    if (!targets.ok()) return Complain(targets.status());
-    options.targets = *std::move(targets);
-  }
+  const StatusOr<VerifyOptions> options = OptionsOfFlags(*in);
+  if (!options.ok()) return Complain(options.status());
   const StatusOr<std::vector<MeasureFile>> measures = ParseMeasureFiles(FLAGS_measures);
   if (!measures.ok()) return Complain(measures.status().In("--measures"));
-  StatusOr<MapReport> report = VerifyMap(*in, *out, options);
+  StatusOr<MapReport> report = VerifyMap(*in, *out, *options);
   if (!report.ok()) return Complain(report.status());
   if (Status s = Measure(*measures, *in, &*report); !s.ok()) return Complain(s);
-  return Conclude(*report, report->valid());
+  return Conclude(*report, report->valid() ? kValid : kInvalid);
 }
 
 int Main(int argc, char** argv) {

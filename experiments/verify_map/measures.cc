@@ -13,8 +13,8 @@ namespace {
 Triangulation ToTriangulation(const Surface& surface) {
   std::vector<Index> twin(surface.twin.size(), kNone);
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
-    const Index across = surface.twin[FanMesh::Next(h)];
-    if (across != kNone) twin[h] = FanMesh::Prev(across);
+    const Index across = surface.twin[TriangleMesh::Next(h)];
+    if (across != kNone) twin[h] = TriangleMesh::Prev(across);
   }
   return NumberEdges(surface.mesh.num_vertices, surface.mesh.vertex, std::move(twin));
 }

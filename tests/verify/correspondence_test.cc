@@ -1,8 +1,6 @@
 #include "cirque/verify/correspondence.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 
@@ -17,87 +15,121 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// The triangles of `mesh` in the order of `order`, each turned by as many corners as its number.
-FanMesh Shuffled(const FanMesh& mesh, const std::vector<Index>& order) {
-  FanMesh result;
-  result.num_vertices = mesh.num_vertices;
-  for (const Index f : order) {
-    for (Index k = 0; k < 3; ++k) {
-      const Index h = 3 * f + (k + f) % 3;
-      result.vertex.push_back(mesh.vertex[h]);
-      result.soup_corner.push_back(mesh.soup_corner[h]);
-    }
+using Face = std::vector<Index>;
+
+/// Faces whose corners are named by these numbers.
+NamedFaces Faces(const std::vector<Face>& faces) {
+  NamedFaces named;
+  for (const Face& face : faces) {
+    named.name.insert(named.name.end(), face.begin(), face.end());
+    named.first_corner.push_back(static_cast<Index>(named.name.size()));
   }
-  return result;
+  return named;
 }
 
-TEST(MatchTriangles, FindsEveryTriangleInWhateverOrder) {
-  const FanMesh in = *FanTriangulate(Sheet(4));
-  std::vector<Index> order(in.num_triangles());
+std::vector<Face> TrianglesOf(const PolygonSoup& soup) {
+  std::vector<Face> faces;
+  for (std::size_t c = 0; c < soup.corner.size(); c += 3) {
+    faces.push_back({soup.corner[c], soup.corner[c + 1], soup.corner[c + 2]});
+  }
+  return faces;
+}
+
+TEST(MatchFaces, FindsEveryFaceInWhateverOrder) {
+  const std::vector<Face> in = TrianglesOf(Sheet(4));
+  EXPECT_TRUE(MatchFaces(Faces(in), Faces(in)).same_order);
+  std::vector<Index> order(in.size());
   std::iota(order.begin(), order.end(), 0);
-  EXPECT_TRUE(MatchTriangles(in, Shuffled(in, order)).same_order);
   std::mt19937 random(5);
   std::shuffle(order.begin(), order.end(), random);
-  const FanMesh out = Shuffled(in, order);
-  const Correspondence match = MatchTriangles(in, out);
+  std::vector<Face> out;
+  for (const Index f : order) {
+    out.push_back(in[f]);
+    std::rotate(out.back().begin(), out.back().begin() + f % 3, out.back().end());
+  }
+  const Correspondence match = MatchFaces(Faces(in), Faces(out));
   EXPECT_TRUE(match.complete());
   EXPECT_FALSE(match.same_order);
   EXPECT_THAT(match.reversed, IsEmpty());
-  for (Index i = 0; i < out.num_triangles(); ++i) EXPECT_EQ(match.out_triangle[order[i]], i);
-  // In IN's order again every triangle has IN's vertices, from whichever corner on.
-  const FanMesh back = Reorder(out, match);
-  for (Index f = 0; f < in.num_triangles(); ++f) {
-    const auto corner = back.vertex.begin() + 3 * f;
-    EXPECT_THAT(std::vector<Index>(corner, corner + 3),
-                testing::UnorderedElementsAre(in.vertex[3 * f], in.vertex[3 * f + 1],
-                                              in.vertex[3 * f + 2]));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    EXPECT_EQ(match.out_face[order[i]], static_cast<Index>(i));
   }
 }
 
-TEST(MatchTriangles, WhatIsMissingExtraAndReversedIsNamed) {
-  const FanMesh in = *FanTriangulate(Sheet(2));
-  FanMesh out = in;
-  std::swap(out.vertex[3 * 5], out.vertex[3 * 5 + 1]);
-  EXPECT_THAT(MatchTriangles(in, out).reversed, ElementsAre(5));
-  EXPECT_TRUE(MatchTriangles(in, out).complete());
-  out.vertex[3 * 2] = 8;
-  const Correspondence match = MatchTriangles(in, out);
+TEST(MatchFaces, WhatIsMissingExtraAndReversedIsNamed) {
+  const std::vector<Face> in = TrianglesOf(Sheet(2));
+  std::vector<Face> out = in;
+  std::swap(out[5][0], out[5][1]);
+  EXPECT_THAT(MatchFaces(Faces(in), Faces(out)).reversed, ElementsAre(5));
+  EXPECT_TRUE(MatchFaces(Faces(in), Faces(out)).complete());
+  out[2] = {0, 1, 8};
+  const Correspondence match = MatchFaces(Faces(in), Faces(out));
   EXPECT_THAT(match.missing, ElementsAre(2));
   EXPECT_THAT(match.extra, ElementsAre(2));
   EXPECT_FALSE(match.complete());
-  EXPECT_EQ(match.out_triangle[2], kNone);
+  EXPECT_EQ(match.out_face[2], kNone);
+  out[2] = {in[2][0], in[2][1], kNone};  // a corner that is none of IN's
+  EXPECT_THAT(MatchFaces(Faces(in), Faces(out)).missing, ElementsAre(2));
 }
 
 // Two copies of one triangle stand for one of IN: the second is too many.
-TEST(MatchTriangles, ATriangleListedTwiceIsExtra) {
-  const FanMesh in = *FanTriangulate(Sheet(2));
-  FanMesh out = in;
-  out.vertex.insert(out.vertex.end(), in.vertex.begin(), in.vertex.begin() + 3);
-  out.soup_corner.insert(out.soup_corner.end(), in.soup_corner.begin(), in.soup_corner.begin() + 3);
-  const Correspondence match = MatchTriangles(in, out);
+TEST(MatchFaces, AFaceListedTwiceIsExtra) {
+  const std::vector<Face> in = TrianglesOf(Sheet(2));
+  std::vector<Face> out = in;
+  out.push_back(in[0]);
+  const Correspondence match = MatchFaces(Faces(in), Faces(out));
   EXPECT_THAT(match.missing, IsEmpty());
   EXPECT_EQ(match.extra.size(), 1u);
 }
 
-TEST(ComparePositions, IsRelativeToTheBoundingBoxWhateverItsSize) {
-  for (const double scale : {1e-100, 1.0, 1e100}) {
-    std::vector<Eigen::Vector3d> in = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-    for (Eigen::Vector3d& p : in) p *= scale;
-    std::vector<Eigen::Vector3d> out = in;
-    out[1].z() += 0.05 * scale;  // of the diagonal 5
-    EXPECT_NEAR(ComparePositions(in, out, 0.02).largest, 0.01, 1e-12) << scale;
-    EXPECT_THAT(ComparePositions(in, out, 0.02).moved, IsEmpty()) << scale;
-    EXPECT_THAT(ComparePositions(in, out, 0.005).moved, ElementsAre(1)) << scale;
+// A sheet of two sides: the triangles that run the same way belong together.
+TEST(MatchFaces, TwoFacesOnTheSameCornersAreToldApartByTheirDirection) {
+  const std::vector<Face> in = {{0, 1, 2}, {0, 2, 1}}, out = {{2, 1, 0}, {1, 2, 0}};
+  const Correspondence match = MatchFaces(Faces(in), Faces(out));
+  EXPECT_THAT(match.out_face, ElementsAre(1, 0));
+  EXPECT_THAT(match.reversed, IsEmpty());
+}
+
+TEST(MatchFaces, PolygonsMayBeCutAnyWay) {
+  const std::vector<Face> in = {{0, 1, 2, 3, 4, 5}, {1, 0, 6}};
+  const std::vector<std::vector<Face>> cuts = {
+      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {1, 0, 6}},
+      {{0, 2, 4}, {1, 0, 6}, {0, 1, 2}, {2, 3, 4}, {4, 5, 0}},
+      {{6, 1, 0}, {0, 1, 2, 5}, {2, 3, 4, 5}}};
+  for (const std::vector<Face>& out : cuts) {
+    const Correspondence match = MatchFaces(Faces(in), Faces(out));
+    EXPECT_TRUE(match.complete());
+    EXPECT_EQ(match.pieces.at(0).size() + 1, out.size());
+    EXPECT_THAT(match.reversed, IsEmpty());
+  }
+  EXPECT_TRUE(MatchFaces(Faces(in), Faces(cuts[0])).same_order);
+  EXPECT_FALSE(MatchFaces(Faces(in), Faces(cuts[1])).same_order);
+  std::vector<Face> reversed = cuts[1];
+  for (Face& face : reversed) std::reverse(face.begin(), face.end());
+  EXPECT_THAT(MatchFaces(Faces(in), Faces(reversed)).reversed, ElementsAre(0, 1));
+}
+
+TEST(MatchFaces, PiecesThatDoNotFillAPolygonAreNoneOfIt) {
+  const std::vector<Face> in = {{0, 1, 2, 3, 4}};
+  for (const std::vector<Face>& out : {std::vector<Face>{{0, 1, 2}, {0, 2, 3}},
+                                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 3, 4}},
+                                       {{0, 1, 2}, {0, 2, 3}, {0, 4, 3}},
+                                       {{0, 1, 2}, {0, 2, 3}, {1, 3, 4}}}) {
+    EXPECT_FALSE(MatchFaces(Faces(in), Faces(out)).complete());
   }
 }
 
-TEST(ComparePositions, APointThatIsNotFiniteHasMoved) {
-  const std::vector<Eigen::Vector3d> in = {{0, 0, 0}, {1, 0, 0}};
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
-    std::vector<Eigen::Vector3d> out = in;
-    out[0].y() = bad;
-    EXPECT_THAT(ComparePositions(in, out, 1e9).moved, ElementsAre(0));
-  }
+// Both quadrilaterals have a piece with the corners 0, 2 and 4, in opposite directions.
+TEST(MatchFaces, PiecesOfNeighboursOnTheSameCornersAreToldApart) {
+  const std::vector<Face> in = {{0, 1, 2, 4}, {0, 4, 2, 3}};
+  std::vector<Face> out = {{0, 1, 2}, {0, 2, 4}, {0, 4, 2}, {0, 2, 3}};
+  do {
+    const Correspondence match = MatchFaces(Faces(in), Faces(out));
+    ASSERT_TRUE(match.complete());
+    for (const Index g : match.pieces.at(0)) {
+      EXPECT_THAT(out[g], ::testing::AnyOf(ElementsAre(0, 1, 2), ElementsAre(0, 2, 4)));
+    }
+  } while (std::next_permutation(out.begin(), out.end()));
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
 #include <cmath>
 #include <limits>
-#include <random>
-#include <set>
 
 #include <gtest/gtest.h>
 
-#include "cirque/verify/overlap_check.h"
 #include "cirque/verify/uv_plane.h"
 
 namespace cirque::verify {
@@ -61,62 +58,6 @@ TEST(VerifyMapExact, SectorsOfEverySizeKnowTheirInside) {
   EXPECT_FALSE(Contains({o, east, south}, {0, -3}));
   EXPECT_TRUE(Contains({o, east, east}, {-1, 0}));
   EXPECT_FALSE(Contains({o, east, east}, {5, 0}));
-  EXPECT_TRUE(Overlap({o, east, north}, {o, east, west}));
-  EXPECT_TRUE(Overlap({o, east, west}, {o, north, south}));
-  EXPECT_FALSE(Overlap({o, east, north}, {o, north, east}));
-  EXPECT_FALSE(Overlap({o, east, north}, {o, west, south}));
-}
-
-TEST(VerifyMapExact, RayCrossingsSumToTheWindingNumber) {
-  const Point square[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  const Point inside[3] = {{1, 1}, {2, 1}, {1, 2}}, outside[3] = {{-3, 1}, {-2, 1}, {-3, 2}};
-  int about_inside = 0, about_outside = 0;
-  for (int i = 0; i < 4; ++i) {
-    about_inside += RayCrossing(inside, square[i], square[(i + 1) % 4]);
-    about_outside += RayCrossing(outside, square[i], square[(i + 1) % 4]);
-  }
-  EXPECT_EQ(about_inside, 1);
-  EXPECT_EQ(about_outside, 0);
-}
-
-TEST(VerifyMapExact, SegmentTreeFindsExactlyTheTouchingBoxes) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> coordinate(0, 1), size(0, 0.1);
-  std::vector<SegmentTree::Segment> segments;
-  for (int i = 0; i < 300; ++i) {
-    const Point tail(coordinate(random), coordinate(random));
-    segments.push_back({tail, tail + Point(size(random) - 0.05, size(random) - 0.05)});
-  }
-  std::set<std::pair<int, int>> found, expected;
-  SegmentTree(segments).VisitTouchingBoxes([&](int i, int j) {
-    EXPECT_TRUE(found.emplace(i, j).second) << "visited twice";
-    return true;
-  });
-  const auto box = [&](int i) {
-    const auto& [a, b] = segments[i];
-    return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b));
-  };
-  for (int i = 0; i < 300; ++i) {
-    for (int j = i + 1; j < 300; ++j) {
-      if (box(i).intersects(box(j))) expected.emplace(i, j);
-    }
-  }
-  EXPECT_GT(expected.size(), 50u);
-  EXPECT_EQ(found, expected);
-}
-
-TEST(VerifyMapExact, SegmentTreeVisitsFewPairsOfACurveWithLengthsOfEverySize) {
-  std::vector<SegmentTree::Segment> segments;
-  constexpr int kCount = 20000;
-  const auto spiral = [](int i) {
-    const double t = 40.0 * i / kCount;  // the radius grows by e^40
-    return Point(std::exp(t) * std::cos(5 * t), std::exp(t) * std::sin(5 * t));
-  };
-  for (int i = 0; i < kCount; ++i) segments.push_back({spiral(i), spiral(i + 1)});
-  int visited = 0;
-  SegmentTree(segments).VisitTouchingBoxes([&](int, int) { return ++visited > 0; });
-  EXPECT_GE(visited, kCount - 1);
-  EXPECT_LT(visited, 2 * kCount);
 }
 
 }  // namespace

@@ -17,17 +17,20 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
+const char kValid[] = "valid (injective), 1 patch, 0 seam edges";
+
 PolygonSoup GoodMap() { return WithVertexUv(Sheet(4), Flattened(Sheet(4))); }
 
 TEST(VerifyMapErrors, AGoodMapIsValidAndProvenInjective) {
   const MapReport report = Judge(Sheet(4), GoodMap());
-  EXPECT_EQ(report.Verdict(), "valid (injective)");
+  EXPECT_EQ(report.Verdict(), kValid);
   EXPECT_EQ(report.num_triangles, 32);
   EXPECT_EQ(report.overlap->num_boundary_loops, 1);
   EXPECT_EQ(report.overlap->num_boundary_edges, 16);
   EXPECT_EQ(report.angles->num_plain, 9);
   EXPECT_LT(report.angles->largest_plain_deviation, 1e-14);
-  EXPECT_THAT(ToText(report), testing::EndsWith("verdict: valid (injective)\n"));
+  EXPECT_THAT(ToText(report),
+              testing::EndsWith("verdict: valid (injective), 1 patch, 0 seam edges\n"));
   EXPECT_THAT(ToJson(report), HasSubstr("\"injective\": true"));
 }
 
@@ -44,7 +47,7 @@ TEST(VerifyMapErrors, AVertexPulledAcrossItsStarFlipsTriangles) {
 TEST(VerifyMapErrors, AVertexOnItsNeighboursEdgeMakesAZeroAreaTriangle) {
   PolygonSoup out = GoodMap();
   out.texture[6] = {1.5, 1.5};
-  EXPECT_EQ(Judge(Sheet(4), out).Verdict(), "valid (injective)");
+  EXPECT_EQ(Judge(Sheet(4), out).Verdict(), kValid);
   out.texture[6] = {2, 1.25};
   EXPECT_EQ(Judge(Sheet(4), out).Verdict(), "INVALID: 1 zero-area triangle (10)");
 }
@@ -61,8 +64,8 @@ TEST(VerifyMapErrors, NotANumberIsNamed) {
 TEST(VerifyMapErrors, AMovedVertexIsNamedAndRoundingIsNot) {
   PolygonSoup out = GoodMap();
   out.position[7].z() += 1e-7;
-  EXPECT_EQ(Judge(Sheet(4), out).Verdict(), "valid (injective)");
-  EXPECT_NEAR(Judge(Sheet(4), out).displacement.largest, 1e-7 / std::sqrt(34.56), 1e-10);
+  EXPECT_EQ(Judge(Sheet(4), out).Verdict(), kValid);
+  EXPECT_NEAR(Judge(Sheet(4), out).match.displacement.largest, 1e-7 / std::sqrt(34.56), 1e-10);
   out.position[7].z() += 0.01;
   EXPECT_THAT(Judge(Sheet(4), out).Verdict(), StartsWith("INVALID: 1 vertex moved (7)"));
   out.position[7].z() = std::numeric_limits<double>::quiet_NaN();
@@ -90,8 +93,11 @@ TEST(VerifyMapErrors, MissingForeignAndLostVerticesAreNamed) {
   out.corner_texture = out.corner;
   EXPECT_EQ(Judge(Sheet(4), out).Verdict(), "INVALID: 1 triangle of IN missing from OUT (31)");
   out = GoodMap();
-  out.position.emplace_back(0, 0, 0);
-  EXPECT_THAT(Judge(Sheet(4), out).Verdict(), HasSubstr("IN has 25 vertices and OUT 26"));
+  out.position.emplace_back(0, 0, 0);  // of no face
+  EXPECT_EQ(Judge(Sheet(4), out).Verdict(), kValid);
+  out.corner[4] = 25;
+  EXPECT_THAT(Judge(Sheet(4), out).Verdict(),
+              HasSubstr("by their corners' positions: IN has 25 vertices and OUT 26"));
 }
 
 TEST(VerifyMapErrors, AMirroredMapIsCalledMirrored) {
@@ -110,31 +116,35 @@ TEST(VerifyMapErrors, OrderRotationAndOrientationOfFacesMayDiffer) {
   std::swap_ranges(out.corner.begin() + 12, out.corner.begin() + 15, out.corner.begin() + 30);
   out.corner_texture = out.corner;
   const MapReport report = Judge(in, out);
-  EXPECT_EQ(report.Verdict(), "valid (injective)");
-  EXPECT_FALSE(report.correspondence.same_order);
-  EXPECT_THAT(report.correspondence.reversed, ElementsAre(2));
-  EXPECT_THAT(report.turned, ElementsAre(2));
-  // The writer repaired what IN had wrong: reversed, but nothing to turn.
+  EXPECT_EQ(report.Verdict(), kValid);
+  EXPECT_FALSE(report.match.faces.same_order);
+  EXPECT_THAT(report.match.faces.reversed, ElementsAre(2));
+  EXPECT_THAT(report.turned, IsEmpty());
+  // The writer repaired what IN had wrong.
   PolygonSoup disoriented = in;
   std::reverse(disoriented.corner.begin() + 6, disoriented.corner.begin() + 9);
   const MapReport repaired = Judge(disoriented, GoodMap());
-  EXPECT_EQ(repaired.Verdict(), "valid (injective)");
-  EXPECT_THAT(repaired.correspondence.reversed, ElementsAre(2));
-  EXPECT_THAT(repaired.turned, IsEmpty());
+  EXPECT_EQ(repaired.Verdict(), kValid);
+  EXPECT_THAT(repaired.match.faces.reversed, ElementsAre(2));
+  EXPECT_THAT(repaired.turned, ElementsAre(2));
 }
 
-TEST(VerifyMapErrors, PolygonsAreJudgedAsFans) {
-  PolygonSoup in = MakeSoup({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {});
-  in.corner = {0, 1, 2, 3};
-  in.first_corner = {0, 4};
-  PolygonSoup triangles = MakeSoup(in.position, {{0, 1, 2}, {0, 2, 3}});
-  const std::vector<Eigen::Vector2d> uv = Flattened(in);
-  EXPECT_EQ(Judge(in, WithVertexUv(in, uv)).Verdict(), "valid (injective)");
-  EXPECT_EQ(Judge(in, WithVertexUv(triangles, uv)).Verdict(), "valid (injective)");
+TEST(VerifyMapErrors, AMirrorImageIsNotHiddenByReversedFaces) {
+  PolygonSoup out = GoodMap();
+  for (Eigen::Vector2d& uv : out.texture) uv.x() = -uv.x();
+  for (Index f = 0; f < out.num_polygons(); ++f) {
+    std::reverse(out.corner.begin() + 3 * f, out.corner.begin() + 3 * f + 3);
+  }
+  out.corner_texture = out.corner;
+  const MapReport report = Judge(Sheet(4), out);
+  EXPECT_EQ(report.orientations->flipped.size(), 32u);
+  EXPECT_THAT(report.Verdict(), HasSubstr("mirrored as a whole"));
+  EXPECT_THAT(ToText(report), HasSubstr("32 reversed in OUT"));
+  EXPECT_THAT(ToText(report), HasSubstr("judged by IN's orientation"));
 }
 
 TEST(VerifyMapErrors, TrianglesThatTurnTwiceRoundAVertexAreCaught) {
-  EXPECT_EQ(Judge(Fan(8, kPi / 4), Fan(8, kPi / 4)).Verdict(), "valid (injective)");
+  EXPECT_EQ(Judge(Fan(8, kPi / 4), Fan(8, kPi / 4)).Verdict(), kValid);
   const MapReport report = Judge(Fan(8, kPi / 2), Fan(8, kPi / 2));
   EXPECT_TRUE(report.orientations->flipped.empty());
   EXPECT_EQ(report.Verdict(), "INVALID: the triangles do not turn exactly once round 1 vertex (0)");
@@ -145,14 +155,16 @@ TEST(VerifyMapErrors, AWrongAngleAtAConeIsCaughtByTheTargets) {
   const PolygonSoup out = Fan(5, kPi / 3);
   VerifyOptions options;
   const MapReport free = Judge(out, out, options);
-  EXPECT_EQ(free.Verdict(), "valid (injective)");
+  EXPECT_EQ(free.Verdict(), "valid (injective), 1 patch, 1 seam edge");
   ASSERT_EQ(free.angles->cones.size(), 1u);
   EXPECT_EQ(free.angles->cones[0].vertex, 0);
   EXPECT_NEAR(free.angles->cones[0].angle_sum, 5 * kPi / 3, 1e-14);
-  options.targets.assign(6, std::nullopt);
-  options.targets[0] = 5 * kPi / 3;
-  EXPECT_EQ(Judge(out, out, options).Verdict(), "valid (injective)");
-  options.targets[0] = 2 * kPi;
+  options.targets.at.assign(6, std::nullopt);
+  options.targets.at[0] = AngleInterval{5.0 / 3, 5.0 / 3};
+  EXPECT_TRUE(Judge(out, out, options).valid());
+  options.targets.at[0] = AngleInterval{1.5, 1.7};
+  EXPECT_TRUE(Judge(out, out, options).valid());
+  options.targets.at[0] = AngleInterval{2, 2};
   EXPECT_THAT(Judge(out, out, options).Verdict(),
               HasSubstr("1 vertex with a wrong angle sum (0): off the target by up to 1.05 rad"));
 }
@@ -162,7 +174,7 @@ TEST(VerifyMapErrors, NearlyDegenerateTrianglesAreJudgedExactly) {
   const PolygonSoup in = MakeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const Eigen::Vector2d b(94906267, 94906266), c(94906266, 94906265), o(0, 0);
   ASSERT_EQ(b.x() * c.y() - b.y() * c.x(), 0.0);
-  EXPECT_EQ(Judge(in, WithVertexUv(in, {o, c, b})).Verdict(), "valid (injective)");
+  EXPECT_EQ(Judge(in, WithVertexUv(in, {o, c, b})).Verdict(), kValid);
   EXPECT_THAT(Judge(in, WithVertexUv(in, {o, b, c})).Verdict(), HasSubstr("flipped"));
 }
 
@@ -179,9 +191,9 @@ TEST(VerifyMapErrors, AnInputThatIsNoSurfaceIsBadInput) {
   };
   const std::vector<Eigen::Vector3d> five = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   EXPECT_THAT(message(MakeSoup(five, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})),
-              HasSubstr("edge (0, 1) has 3 triangles"));
+              HasSubstr("edge (0, 1) has 3 faces"));
   EXPECT_THAT(message(MakeSoup(five, {{0, 1, 2}, {0, 3, 4}})), HasSubstr("vertex 0 joins several"));
-  EXPECT_THAT(message(MakeSoup(five, {{0, 1, 1}})), HasSubstr("triangle 0 has vertex 1 twice"));
+  EXPECT_THAT(message(MakeSoup(five, {{0, 1, 1}})), HasSubstr("face 0 has vertex 1 twice"));
   EXPECT_THAT(message(MakeSoup(five, {{0, 1, 7}})), HasSubstr("names vertex 7"));
   EXPECT_THAT(message(MakeSoup(five, {})), HasSubstr("no faces"));
   EXPECT_THAT(message(MakeSoup(five, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}})),

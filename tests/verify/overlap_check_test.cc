@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 const char kInjective[] = "valid (injective)";
 const char kOverlapping[] = "valid (locally injective, boundary overlaps itself)";
@@ -45,25 +46,25 @@ PolygonSoup SpiralStrip(double width, double end) {
 }
 
 TEST(VerifyMapOverlap, ASpiralStripOverlapsItselfWhenItIsWide) {
-  EXPECT_EQ(Judge(SpiralStrip(0.5, 8)).Verdict(), kInjective);
+  EXPECT_THAT(Judge(SpiralStrip(0.5, 8)).Verdict(), StartsWith(kInjective));
   const MapReport wide = Judge(SpiralStrip(0.8, 8));
-  EXPECT_EQ(wide.Verdict(), kOverlapping);
-  EXPECT_GT(wide.overlap->num_crossings, 0);
-  EXPECT_EQ(Judge(SpiralStrip(0.8, 6)).Verdict(), kInjective);
+  EXPECT_THAT(wide.Verdict(), StartsWith(kOverlapping));
+  EXPECT_TRUE(wide.overlap->overlap.has_value());
+  EXPECT_THAT(Judge(SpiralStrip(0.8, 6)).Verdict(), StartsWith(kInjective));
   EXPECT_THAT(Judge(SpiralStrip(0.8, 8), true).Verdict(),
               HasSubstr("INVALID: the boundary overlaps itself: edge ("));
 }
 
 TEST(VerifyMapOverlap, TouchingIsNotOverlapping) {
   const std::vector<Cell> ring = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-  EXPECT_EQ(Judge(SquareStrip(ring)).Verdict(), kInjective);
+  EXPECT_THAT(Judge(SquareStrip(ring)).Verdict(), StartsWith(kInjective));
   const std::vector<Cell> round_a_point = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(Judge(SquareStrip(round_a_point)).Verdict(), kInjective);
+  EXPECT_THAT(Judge(SquareStrip(round_a_point)).Verdict(), StartsWith(kInjective));
 }
 
 TEST(VerifyMapOverlap, ABoundaryCornerOfMoreThanAFullTurnIsNamed) {
   const MapReport report = Judge(SquareStrip({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}));
-  EXPECT_EQ(report.Verdict(), kOverlapping);
+  EXPECT_THAT(report.Verdict(), StartsWith(kOverlapping));
   EXPECT_THAT(report.overlap->wrapped_boundary, ElementsAre(2));
 }
 
@@ -81,7 +82,8 @@ TEST(VerifyMapOverlap, AWalkOfSquaresOverlapsItselfExactlyWhenItRevisitsOne) {
     }
     const bool revisits_one = std::set<Cell>(walk.begin(), walk.end()).size() < walk.size();
     ++(revisits_one ? revisits : others);
-    ASSERT_EQ(Judge(SquareStrip(walk)).Verdict(), revisits_one ? kOverlapping : kInjective)
+    ASSERT_THAT(Judge(SquareStrip(walk)).Verdict(),
+                StartsWith(revisits_one ? kOverlapping : kInjective))
         << "trial " << trial;
   }
   EXPECT_GT(revisits, 50);
@@ -96,15 +98,17 @@ TEST(VerifyMapOverlap, APatchUponAnotherIsFoundWithoutAnyCrossing) {
         mesh,
         {{0, 0}, {9, 0}, {0, 9}, at, at + Eigen::Vector2d(size, 0), at + Eigen::Vector2d(0, size)});
   };
-  EXPECT_EQ(Judge(squares({20, 0}, 1)).Verdict(), kInjective);
-  EXPECT_EQ(Judge(squares({8, 8}, 1)).Verdict(), kInjective);  // within the bounding box
-  EXPECT_EQ(Judge(squares({9, 0}, 1)).Verdict(), kInjective);  // touching
+  EXPECT_THAT(Judge(squares({20, 0}, 1)).Verdict(), StartsWith(kInjective));
+  EXPECT_THAT(Judge(squares({8, 8}, 1)).Verdict(),
+              StartsWith(kInjective));  // within the bounding box
+  EXPECT_THAT(Judge(squares({9, 0}, 1)).Verdict(), StartsWith(kInjective));  // touching
   const MapReport nested = Judge(squares({2, 2}, 1));
-  EXPECT_EQ(nested.overlap->num_crossings, 0);
-  EXPECT_EQ(nested.overlap->nested_patches, std::pair(Index{0}, Index{1}));
-  EXPECT_EQ(nested.Verdict(), kOverlapping);
+  EXPECT_FALSE(nested.overlap->crosses);
+  EXPECT_THAT(Judge(squares({2, 2}, 1), true).Verdict(),
+              HasSubstr("INVALID: patch 0 overlaps patch 1: edge ("));
+  EXPECT_THAT(nested.Verdict(), StartsWith(kOverlapping));
   // Inside and sharing a corner.
-  EXPECT_EQ(Judge(squares({0, 0}, 1)).Verdict(), kOverlapping);
+  EXPECT_THAT(Judge(squares({0, 0}, 1)).Verdict(), StartsWith(kOverlapping));
 }
 
 TEST(VerifyMapOverlap, AHoleIsNotAnOverlap) {
@@ -113,7 +117,7 @@ TEST(VerifyMapOverlap, AHoleIsNotAnOverlap) {
   ring.first_corner.resize(ring.first_corner.size() - 2);
   const MapReport report = Judge(WithVertexUv(ring, Flattened(ring)));
   EXPECT_EQ(report.overlap->num_boundary_loops, 2);
-  EXPECT_EQ(report.Verdict(), kInjective);
+  EXPECT_THAT(report.Verdict(), StartsWith(kInjective));
 }
 
 }  // namespace

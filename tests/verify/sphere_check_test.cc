@@ -70,7 +70,7 @@ TEST_F(VerifySphereTest, PlantedErrorsAreNamed) {
   for (auto& x : out.position) x.setZero();
   EXPECT_THAT(Verdict(sphere_, out), HasSubstr("not on the unit sphere"));
   for (auto& x : out.position) x = {0, 0, 1};
-  EXPECT_THAT(Verdict(sphere_, out), HasSubstr("without area"));
+  EXPECT_THAT(Verdict(sphere_, out), HasSubstr("zero-area triangles"));
 }
 
 TEST_F(VerifySphereTest, AMirroredMapIsNotHiddenByTurnedFaces) {

@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-FanMesh Fans(const PolygonSoup& soup) { return *FanTriangulate(soup); }
+TriangleMesh Fans(const PolygonSoup& soup) { return *FanTriangulate(soup); }
 
 PolygonSoup OnePolygon(int corners) {
   std::vector<Eigen::Vector3d> position;
@@ -32,9 +32,11 @@ PolygonSoup OnePolygon(int corners) {
 }
 
 TEST(FanTriangulate, APolygonOfNCornersIsNMinusTwoTrianglesAtItsFirst) {
-  const FanMesh mesh = Fans(OnePolygon(5));
+  const TriangleMesh mesh = Fans(OnePolygon(5));
   EXPECT_THAT(mesh.vertex, ElementsAre(0, 1, 2, 0, 2, 3, 0, 3, 4));
   EXPECT_EQ(mesh.soup_corner, mesh.vertex);
+  EXPECT_THAT(mesh.face, ElementsAre(0, 0, 0));
+  EXPECT_THAT(mesh.diagonal, ElementsAre(0, 0, 1, 1, 0, 1, 1, 0, 0));
 }
 
 TEST(FanTriangulate, FacesThatAreNoneAreNamed) {
@@ -46,7 +48,7 @@ TEST(FanTriangulate, FacesThatAreNoneAreNamed) {
 
 // An edge has two triangles or is on the boundary, and being the other side is mutual.
 TEST(PairHalfedges, TwinsAreMutualAndShareTheirEdge) {
-  const FanMesh mesh = Fans(Sheet(5));
+  const TriangleMesh mesh = Fans(Sheet(5));
   const std::vector<Index> twin = *PairHalfedges(mesh);
   Index boundary = 0;
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
@@ -61,11 +63,26 @@ TEST(PairHalfedges, TwinsAreMutualAndShareTheirEdge) {
   EXPECT_EQ(boundary, 20);
 }
 
+// Two quadrilaterals that share two edges, and a diagonal in common if they are cut so.
+TEST(PairHalfedges, DiagonalsStayInsideTheirFaces) {
+  PolygonSoup doublet = MakeSoup(std::vector<Eigen::Vector3d>(5, {0, 0, 0}), {});
+  doublet.corner = {0, 1, 2, 4, 0, 4, 2, 3};
+  doublet.first_corner = {0, 4, 8};
+  const StatusOr<Surface> surface = BuildSurface(Fans(doublet));
+  ASSERT_TRUE(surface.ok()) << surface.status().message();
+  const std::vector<Index>& face = surface->mesh.face;
+  for (Index h = 0; h < 12; ++h) {
+    if (!surface->mesh.diagonal[h]) continue;
+    EXPECT_EQ(face[h / 3], face[surface->twin[h] / 3]);
+  }
+  EXPECT_EQ(std::count(surface->twin.begin(), surface->twin.end(), kNone), 4);
+}
+
 TEST(OrientConsistently, TurnsTheMinorityOfEveryComponentAndNothingElse) {
   const PolygonSoup good = Sheet(3);
   PolygonSoup soup = good;
   for (const Index f : {4, 11}) std::swap(soup.corner[3 * f], soup.corner[3 * f + 1]);
-  FanMesh mesh = Fans(soup);
+  TriangleMesh mesh = Fans(soup);
   EXPECT_THAT(*OrientConsistently(*PairHalfedges(mesh), &mesh), ElementsAre(4, 11));
   const std::vector<Index> twin = *PairHalfedges(mesh);
   for (Index h = 0; h < static_cast<Index>(twin.size()); ++h) {
@@ -92,11 +109,12 @@ TEST(OrientConsistently, AMoebiusStripCannotBeOriented) {
 TEST(BuildSurface, RefusesEdgesAndVerticesThatJoinSheets) {
   const std::vector<Eigen::Vector3d> points(6, {0, 0, 0});
   const auto message = [&](const std::vector<Triangle>& triangles) {
-    return BuildSurface(Fans(MakeSoup(points, triangles))).status().message();
+    const StatusOr<TriangleMesh> mesh = FanTriangulate(MakeSoup(points, triangles));
+    return mesh.ok() ? BuildSurface(*mesh).status().message() : mesh.status().message();
   };
-  EXPECT_THAT(message({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), HasSubstr("edge (0, 1) has 3 triangles"));
+  EXPECT_THAT(message({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), HasSubstr("edge (0, 1) has 3 faces"));
   EXPECT_THAT(message({{0, 1, 2}, {0, 3, 4}}), HasSubstr("vertex 0 joins several fans"));
-  EXPECT_THAT(message({{2, 2, 1}}), HasSubstr("triangle 0 has vertex 2 twice"));
+  EXPECT_THAT(message({{2, 2, 1}}), HasSubstr("face 0 has vertex 2 twice"));
 }
 
 // Whoever numbers the triangles and vertices otherwise describes the same surface.

@@ -12,7 +12,7 @@ namespace cirque {
 ///
 ///   obj   Wavefront OBJ, with texture coordinates    read and written
 ///   off   text OFF                                   read and written
-///   ply   PLY, text or binary                        read and written (text)
+///   ply   PLY, text or binary, texture coordinates   read; written (text, without them)
 ///   stl   STL, text or binary                        read
 ///
 /// A new format is a function to parse or write it in a file of its own, declared in

@@ -54,13 +54,17 @@ TextPieces FormatOff(const PolygonSoup& mesh);
 ///   format ascii 1.0                            or binary_little_endian, binary_big_endian
 ///   element vertex V
 ///   property double x                           likewise y and z
+///   property double s                           likewise t: texture coordinates; or u, v, or
+///                                               texture_u, texture_v, or texture_s, texture_t
 ///   element face F
 ///   property list uchar int vertex_indices      or vertex_index: corners, counted from 0
+///   property list uchar float texcoord          texture coordinates u v of each corner
 ///   end_header
 ///
 /// Types are char, uchar, short, ushort, int, uint, float and double, or int8, uint8, int16,
 /// uint16, int32, uint32, float32 and float64; any will do for a coordinate or a corner. All other
-/// elements and properties (colours, normals, texture coordinates) are skipped.
+/// elements and properties (colours, normals) are skipped, and texture coordinates of vertices where
+/// faces list some.
 ///
 /// Errors are "path:line: ...", in a binary body "path: byte N after the header: ...": a header
 /// that is none or announces no polygons, a number that is missing or none, a list of impossible

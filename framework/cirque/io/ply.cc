@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,7 @@ class PlyParser {
     if (header_.encoding == PlyEncoding::kText && body_->NextElement()) {
       return body_->Error("more lines follow than the header promises; correct the header");
     }
+    KeepTexture();
     return std::move(soup_);
   }
 
@@ -54,6 +56,31 @@ class PlyParser {
         "vertex_indices; write the mesh as polygons (not strips or points)");
   }
 
+  /// 0, 1 for the texture coordinates of a vertex, under any of their usual names, else -1. A vertex
+  /// that has but one of the two has none.
+  static int TextureCoordinate(const PlyElement& element, const PlyProperty& property) {
+    constexpr std::array<std::string_view, 2> kNames[] = {
+        {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+    if (element.name != "vertex" || property.is_list) return -1;
+    for (const auto& [u, v] : kNames) {
+      if (Has(element, u) && Has(element, v)) {
+        return property.name == u ? 0 : property.name == v ? 1 : -1;
+      }
+    }
+    return -1;
+  }
+
+  static bool Has(const PlyElement& element, std::string_view name) {
+    return std::any_of(
+        element.properties.begin(), element.properties.end(),
+        [&](const PlyProperty& property) { return !property.is_list && property.name == name; });
+  }
+
+  /// A face's list of u and v for each of its corners.
+  static bool IsFaceTexture(const PlyElement& element, const PlyProperty& property) {
+    return element.name == "face" && property.is_list && property.name == "texcoord";
+  }
+
   /// 0, 1, 2 for x, y, z of a vertex, else -1.
   static int Coordinate(const PlyElement& element, const PlyProperty& property) {
     constexpr std::string_view kNames = "xyz";
@@ -72,13 +99,48 @@ class PlyParser {
       return body_->Error(fmt::format("the file ends after {} of {} elements '{}'; is it cut off?",
                                       i, element.count, Printable(element.name)));
     }
-    if (element.name == "vertex") soup_.position.emplace_back(0, 0, 0);
+    if (element.name == "vertex") {
+      soup_.position.emplace_back(0, 0, 0);
+      vertex_texture_.emplace_back(0, 0);
+    }
+    face_texture_.clear();
+    const Index num_faces = soup_.num_polygons();
     for (const PlyProperty& property : element.properties) {
       const Status status =
           property.is_list ? ParseList(element, property) : ParseScalar(element, property);
       if (!status.ok()) return status;
     }
+    return soup_.num_polygons() > num_faces ? AddFaceTexture() : Status();
+  }
+
+  /// Of the face that was read last.
+  Status AddFaceTexture() {
+    const auto num_corners =
+        static_cast<std::size_t>(soup_.first_corner.back() - soup_.first_corner.end()[-2]);
+    if (!face_texture_.empty() && face_texture_.size() != 2 * num_corners) {
+      return body_->Error(fmt::format("texcoord has {} numbers for {} corners; two each are needed",
+                                      face_texture_.size(), num_corners));
+    }
+    corner_has_texture_.insert(corner_has_texture_.end(), num_corners, !face_texture_.empty());
+    for (std::size_t i = 0; i < face_texture_.size(); i += 2) {
+      corner_texture_.emplace_back(face_texture_[i], face_texture_[i + 1]);
+    }
     return Status();
+  }
+
+  /// Corners have the texture coordinates that their faces list, where any face does, else those of
+  /// their vertices.
+  void KeepTexture() {
+    if (!corner_texture_.empty()) {
+      soup_.texture = std::move(corner_texture_);
+      Index next = 0;
+      for (const char has : corner_has_texture_) {
+        soup_.corner_texture.push_back(has != 0 ? next++ : kNone);
+      }
+    } else if (has_vertex_texture_) {
+      soup_.texture = std::move(vertex_texture_);
+      soup_.corner_texture = soup_.corner;
+    }
   }
 
   Status ParseScalar(const PlyElement& element, const PlyProperty& property) {
@@ -86,6 +148,9 @@ class PlyParser {
     if (!number) return Missing("a number", element, property);
     const int k = Coordinate(element, property);
     if (k >= 0) soup_.position.back()[k] = *number;
+    const int uv = TextureCoordinate(element, property);
+    if (uv >= 0) vertex_texture_.back()[uv] = *number;
+    has_vertex_texture_ = has_vertex_texture_ || uv >= 0;
     return Status();
   }
 
@@ -96,10 +161,12 @@ class PlyParser {
       return body_->Error(fmt::format("a list of length {}; the file is damaged", *length));
     }
     const bool is_corners = IsCorners(element, property);
-    corners_.clear();
+    const bool is_texture = IsFaceTexture(element, property);
+    if (is_corners) corners_.clear();
     for (double i = 0; i < *length; ++i) {
       const std::optional<double> number = body_->Number(property.type);
       if (!number) return Missing("a number", element, property);
+      if (is_texture) face_texture_.push_back(*number);
       if (!is_corners) continue;
       if (!IsWhole(*number)) return body_->Error(fmt::format("vertex index {}", *number));
       corners_.push_back(static_cast<std::int64_t>(*number));
@@ -121,6 +188,11 @@ class PlyParser {
   std::unique_ptr<PlyBody> body_;
   PolygonSoup soup_;
   std::vector<std::int64_t> corners_;
+  bool has_vertex_texture_ = false;
+  std::vector<Eigen::Vector2d> vertex_texture_;  ///< V
+  std::vector<double> face_texture_;             ///< of the face being read
+  std::vector<Eigen::Vector2d> corner_texture_;  ///< of the corners of all faces that list any
+  std::vector<char> corner_has_texture_;         ///< C
 };
 
 }  // namespace

@@ -1,18 +1,15 @@
 #include "cirque/verify/angle_check.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
-
-#include <fmt/format.h>
+#include <optional>
 
 namespace cirque::verify {
 namespace {
 
 double CornerAngle(const UvComplex& complex, Index h) {
   const Point a = complex.Tip(h) - complex.uv[h];
-  const Point b = complex.uv[FanMesh::Prev(h)] - complex.uv[h];
+  const Point b = complex.uv[TriangleMesh::Prev(h)] - complex.uv[h];
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
@@ -32,7 +29,7 @@ struct VertexSums {
 };
 
 VertexSums SumCorners(const UvComplex& complex, const std::vector<double>& angle) {
-  const FanMesh& mesh = complex.mesh();
+  const TriangleMesh& mesh = complex.mesh();
   VertexSums sums(mesh.num_vertices);
   std::vector<bool> used(mesh.num_vertices, false);
   for (Index h = 0; h < static_cast<Index>(angle.size()); ++h) {
@@ -41,7 +38,7 @@ VertexSums SumCorners(const UvComplex& complex, const std::vector<double>& angle
     sums.angle[v] += angle[h];
     const Point& apex = complex.uv[h];
     const bool passes =
-        InLowerHalf(apex, complex.Tip(h)) && !InLowerHalf(apex, complex.uv[FanMesh::Prev(h)]);
+        InLowerHalf(apex, complex.Tip(h)) && !InLowerHalf(apex, complex.uv[TriangleMesh::Prev(h)]);
     if (passes) ++sums.turns[v];
     for (const Index end : {v, mesh.Tip(h)}) {
       if (complex.surface.twin[h] == kNone) sums.inside[end] = false;
@@ -74,12 +71,14 @@ void JudgeInnerVertices(const VertexSums& sums, double tolerance, AngleMeasures*
   }
 }
 
-void CompareWithTargets(const VertexSums& sums, const std::vector<std::optional<double>>& targets,
-                        double tolerance, AngleMeasures* result) {
+void CompareWithTargets(const VertexSums& sums, const AngleTargets& targets, double tolerance,
+                        AngleMeasures* result) {
   result->largest_target_deviation = 0;
-  for (Index v = 0; v < static_cast<Index>(targets.size()); ++v) {
-    if (!targets[v]) continue;
-    const double deviation = std::abs(sums.angle[v] - *targets[v]);
+  for (Index v = 0; v < static_cast<Index>(sums.angle.size()); ++v) {
+    const std::optional<AngleInterval> target = targets.At(v, sums.inside[v]);
+    if (!target) continue;
+    const double deviation = std::max({0.0, kPi * target->lower_over_pi - sums.angle[v],
+                                       sums.angle[v] - kPi * target->upper_over_pi});
     result->largest_target_deviation = std::max(result->largest_target_deviation, deviation);
     if (deviation > tolerance) result->off_target.push_back(v);
   }
@@ -87,8 +86,8 @@ void CompareWithTargets(const VertexSums& sums, const std::vector<std::optional<
 
 }  // namespace
 
-AngleMeasures MeasureAngles(const UvComplex& complex,
-                            const std::vector<std::optional<double>>& targets, double tolerance) {
+AngleMeasures MeasureAngles(const UvComplex& complex, const AngleTargets& targets,
+                            double tolerance) {
   AngleMeasures result;
   std::vector<double> angle(complex.uv.size());
   for (Index h = 0; h < static_cast<Index>(angle.size()); ++h) {
@@ -98,49 +97,13 @@ AngleMeasures MeasureAngles(const UvComplex& complex,
   for (Index h = 0; h < static_cast<Index>(angle.size()); ++h) {
     const Index t = complex.surface.twin[h];
     if (t < h) continue;  // none, or done from the other side
-    const double margin = kPi - angle[FanMesh::Prev(h)] - angle[FanMesh::Prev(t)];
+    const double margin = kPi - angle[TriangleMesh::Prev(h)] - angle[TriangleMesh::Prev(t)];
     result.delaunay_margin = std::fmin(result.delaunay_margin, margin);
   }
   const VertexSums sums = SumCorners(complex, angle);
   JudgeInnerVertices(sums, tolerance, &result);
   if (!targets.empty()) CompareWithTargets(sums, targets, tolerance, &result);
   return result;
-}
-
-namespace {
-
-std::string Trimmed(const std::string& line) {
-  const char* const kBlank = " \t\r";
-  const std::size_t begin = line.find_first_not_of(kBlank);
-  if (begin == std::string::npos) return {};
-  return line.substr(begin, line.find_last_not_of(kBlank) - begin + 1);
-}
-
-}  // namespace
-
-StatusOr<std::vector<std::optional<double>>> ReadTargets(const std::string& path,
-                                                         Index num_vertices) {
-  std::ifstream file(path);
-  if (!file) return Status::InvalidInput(fmt::format("{}: cannot be read", path));
-  std::vector<std::optional<double>> targets;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    const std::string word = Trimmed(line);
-    if (word.empty()) continue;
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number =
-        error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
-    if (!is_number && word != "free") {
-      return Status::InvalidInput(
-          fmt::format("{}:{}: '{}' is no angle sum; write radians, or free", path, number, word));
-    }
-    targets.push_back(is_number ? std::optional<double>(value) : std::nullopt);
-  }
-  if (static_cast<Index>(targets.size()) == num_vertices) return targets;
-  return Status::InvalidInput(
-      fmt::format("{}: {} angle sums for {} vertices; one line each is needed", path,
-                  targets.size(), num_vertices));
 }
 
 }  // namespace cirque::verify

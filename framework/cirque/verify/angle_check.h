@@ -1,16 +1,11 @@
 #pragma once
 
-#include <limits>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "cirque/core/status.h"
-#include "cirque/verify/uv_plane.h"
+#include "cirque/verify/angle_targets.h"
+#include "cirque/verify/uv_complex.h"
 
 namespace cirque::verify {
-
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A vertex inside the mesh, on a seam, whose UV angles do not sum to 2 pi.
 struct Cone {
@@ -32,15 +27,9 @@ struct AngleMeasures {
   double largest_target_deviation = kUnknown;
 };
 
-/// `targets` is empty or holds per vertex the angle sum it should have (none: any will do).
 /// Whether a plain vertex is wrapped is decided exactly, from comparisons of coordinates alone, and
 /// means something only where no triangle is flipped.
-AngleMeasures MeasureAngles(const UvComplex& complex,
-                            const std::vector<std::optional<double>>& targets, double tolerance);
-
-/// Reads one angle sum in radians per line, or "free" where any will do; there must be
-/// `num_vertices` lines. Errors name file:line.
-StatusOr<std::vector<std::optional<double>>> ReadTargets(const std::string& path,
-                                                         Index num_vertices);
+AngleMeasures MeasureAngles(const UvComplex& complex, const AngleTargets& targets,
+                            double tolerance);
 
 }  // namespace cirque::verify

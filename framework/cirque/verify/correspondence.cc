@@ -1,122 +1,264 @@
 #include "cirque/verify/correspondence.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numeric>
-
-#include <Eigen/Geometry>
+#include <set>
+#include <utility>
 
 namespace cirque::verify {
 namespace {
 
-using Corners = std::array<Index, 3>;
+/// The names of a face's corners from one corner on, forwards or backwards.
+struct Cycle {
+  const NamedFaces* faces;
+  Index face;
+  Index start = 0;
+  bool backwards = false;
 
-Corners CornersOf(const FanMesh& mesh, Index f) {
-  return {mesh.vertex[3 * f], mesh.vertex[3 * f + 1], mesh.vertex[3 * f + 2]};
-}
-
-Corners Sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-bool SameCycle(const Corners& a, Corners b) {
-  for (int turn = 0; turn < 3; ++turn) {
-    if (a == b) return true;
-    std::rotate(b.begin(), b.begin() + 1, b.end());
-  }
-  return false;
-}
-
-struct KeyedTriangle {
-  Corners key;
-  Index triangle;
-
-  bool operator<(const KeyedTriangle& other) const {
-    return key != other.key ? key < other.key : triangle < other.triangle;
+  Index size() const { return faces->NumCorners(face); }
+  Index operator[](Index k) const {
+    const Index n = size();
+    const Index ahead = start + k < n ? start + k : start + k - n;
+    return faces->Name(face, backwards ? n - 1 - ahead : ahead);
   }
 };
 
-std::vector<KeyedTriangle> SortedTriangles(const FanMesh& mesh) {
-  std::vector<KeyedTriangle> sorted(mesh.num_triangles());
-  for (Index f = 0; f < mesh.num_triangles(); ++f) sorted[f] = {Sorted(CornersOf(mesh, f)), f};
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
+/// -1, 0, +1 as a comes before b, has the same names, comes after b.
+int Compare(const Cycle& a, const Cycle& b) {
+  if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
+  for (Index k = 0; k < a.size(); ++k) {
+    if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
+  }
+  return 0;
 }
 
-bool ListedInOrder(const FanMesh& in, const FanMesh& out) {
-  if (in.num_triangles() != out.num_triangles()) return false;
-  for (Index f = 0; f < in.num_triangles(); ++f) {
-    if (Sorted(CornersOf(in, f)) != Sorted(CornersOf(out, f))) return false;
+/// From the corner from which it comes first.
+Cycle Normalized(const NamedFaces& faces, Index face, bool backwards) {
+  Cycle best{&faces, face, 0, backwards}, other = best;
+  for (other.start = 1; other.start < best.size(); ++other.start) {
+    if (other[0] <= best[0] && Compare(other, best) < 0) best = other;
+  }
+  return best;
+}
+
+bool IsNamed(const NamedFaces& faces, Index face) {
+  for (Index k = 0; k < faces.NumCorners(face); ++k) {
+    if (faces.Name(face, k) == kNone) return false;
   }
   return true;
 }
 
-void MatchAsSets(const FanMesh& in, const FanMesh& out, Correspondence* result) {
-  const std::vector<KeyedTriangle> a = SortedTriangles(in), b = SortedTriangles(out);
-  std::size_t i = 0, j = 0;
-  while (i < a.size() || j < b.size()) {
-    if (j == b.size() || (i < a.size() && a[i].key < b[j].key)) {
-      result->missing.push_back(a[i++].triangle);
-    } else if (i == a.size() || b[j].key < a[i].key) {
-      result->extra.push_back(b[j++].triangle);
+std::vector<Cycle> SortedCycles(const NamedFaces& faces, const std::vector<char>& taken,
+                                bool backwards) {
+  std::vector<Cycle> cycles;
+  for (Index f = 0; f < faces.num_faces(); ++f) {
+    if (!taken[f] && IsNamed(faces, f)) cycles.push_back(Normalized(faces, f, backwards));
+  }
+  std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
+    const int order = Compare(a, b);
+    return order != 0 ? order < 0 : a.face < b.face;
+  });
+  return cycles;
+}
+
+using NamedEdge = std::pair<Index, Index>;
+
+void AppendEdges(const NamedFaces& faces, Index f, bool backwards, std::vector<NamedEdge>* edges) {
+  const Cycle cycle{&faces, f, 0, backwards};
+  for (Index k = 0; k < cycle.size(); ++k) {
+    edges->emplace_back(cycle[k], cycle[k + 1 < cycle.size() ? k + 1 : 0]);
+  }
+}
+
+class Matcher {
+ public:
+  Matcher(const NamedFaces& in, const NamedFaces& out)
+      : in_(in), out_(out), in_taken_(in.num_faces()), out_taken_(out.num_faces()) {}
+
+  Correspondence Match() {
+    if (!MatchInOrder()) {
+      Forget();
+      MatchWholeFaces(false);
+      MatchWholeFaces(true);
+      MatchPieces();
+    }
+    return Finish();
+  }
+
+ private:
+  void Forget() {
+    result_ = {};
+    std::fill(in_taken_.begin(), in_taken_.end(), false);
+    std::fill(out_taken_.begin(), out_taken_.end(), false);
+    result_.out_face.assign(in_.num_faces(), kNone);
+  }
+
+  void Take(Index f, const std::vector<Index>& faces_of_out, bool backwards) {
+    in_taken_[f] = true;
+    for (const Index g : faces_of_out) out_taken_[g] = true;
+    if (faces_of_out.size() == 1) {
+      result_.out_face[f] = faces_of_out[0];
     } else {
-      result->out_triangle[a[i++].triangle] = b[j++].triangle;
+      result_.pieces[f] = faces_of_out;
+    }
+    if (backwards) result_.reversed.push_back(f);
+  }
+
+  /// Whether OUT lists the faces, or their pieces, as IN does; if so, takes them all.
+  bool MatchInOrder() {
+    Forget();
+    Index g = 0;
+    for (Index f = 0; f < in_.num_faces(); ++f) {
+      std::vector<Index> faces_of_out;
+      for (Index missing = in_.NumCorners(f) - 2; missing > 0 && g < out_.num_faces(); ++g) {
+        faces_of_out.push_back(g);
+        missing -= out_.NumCorners(g) - 2;
+      }
+      if (!IsBorder(f, faces_of_out, false)) return false;
+      Take(f, faces_of_out, false);
+    }
+    return g == out_.num_faces();
+  }
+
+  void MatchWholeFaces(bool backwards) {
+    const std::vector<Cycle> a = SortedCycles(in_, in_taken_, false);
+    const std::vector<Cycle> b = SortedCycles(out_, out_taken_, backwards);
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      const int order = Compare(a[i], b[j]);
+      if (order == 0) Take(a[i].face, {b[j].face}, backwards);
+      if (order <= 0) ++i;
+      if (order >= 0) ++j;
     }
   }
-  std::sort(result->missing.begin(), result->missing.end());
-  std::sort(result->extra.begin(), result->extra.end());
-}
+
+  /// Whether the faces of OUT, glued where two have an edge in opposite directions, have the border
+  /// of face f of IN, and no more corners than such pieces have.
+  bool IsBorder(Index f, const std::vector<Index>& faces_of_out, bool backwards) const {
+    if (faces_of_out.size() == 1) {
+      const Index g = faces_of_out[0];
+      return IsNamed(out_, g) &&
+             Compare(Normalized(in_, f, false), Normalized(out_, g, backwards)) == 0;
+    }
+    Index missing = in_.NumCorners(f) - 2;
+    for (const Index g : faces_of_out) {
+      missing -= out_.NumCorners(g) - 2;
+      if (missing < 0 || !IsNamed(out_, g)) return false;
+    }
+    if (missing != 0) return false;
+    // With the border's other side all edges have another side.
+    std::vector<NamedEdge> border, edges, other_sides;
+    AppendEdges(in_, f, false, &border);
+    for (const Index g : faces_of_out) AppendEdges(out_, g, backwards, &edges);
+    for (const auto& [tail, tip] : border) edges.emplace_back(tip, tail);
+    for (const auto& [tail, tip] : edges) other_sides.emplace_back(tip, tail);
+    std::sort(edges.begin(), edges.end());
+    std::sort(other_sides.begin(), other_sides.end());
+    return edges == other_sides;
+  }
+
+  /// An edge of a face of OUT in the direction in which a face of IN would have it.
+  struct PieceEdge {
+    NamedEdge edge;
+    Index face;
+
+    bool operator<(const PieceEdge& other) const {
+      return edge != other.edge ? edge < other.edge : face < other.face;
+    }
+  };
+
+  void MatchPieces() {
+    for (const bool backwards : {false, true}) {
+      std::vector<PieceEdge> edges;
+      for (Index g = 0; g < out_.num_faces(); ++g) {
+        if (out_taken_[g] || !IsNamed(out_, g)) continue;
+        std::vector<NamedEdge> of_face;
+        AppendEdges(out_, g, backwards, &of_face);
+        for (const NamedEdge& edge : of_face) edges.push_back({edge, g});
+      }
+      std::sort(edges.begin(), edges.end());
+      for (Index f = 0; f < in_.num_faces(); ++f) {
+        if (in_taken_[f] || in_.NumCorners(f) == 3) continue;
+        const std::vector<Index> found = CollectPieces(f, edges, backwards);
+        if (IsBorder(f, found, backwards)) Take(f, found, backwards);
+      }
+    }
+  }
+
+  /// From the border inwards: the faces with corners of f alone that have the edges wanted, then
+  /// those that have the other sides of their edges.
+  std::vector<Index> CollectPieces(Index f, const std::vector<PieceEdge>& edges,
+                                   bool backwards) const {
+    std::vector<NamedEdge> wanted;
+    AppendEdges(in_, f, false, &wanted);
+    std::set<Index> names;
+    for (const NamedEdge& edge : wanted) names.insert(edge.first);
+    std::set<NamedEdge> had;
+    std::set<Index> found;
+    Index missing = in_.NumCorners(f) - 2;
+    for (std::size_t i = 0; i < wanted.size() && missing > 0; ++i) {
+      if (had.contains(wanted[i])) continue;
+      const Index g = PieceWith(wanted[i], names, edges);
+      if (g == kNone || !found.insert(g).second) continue;
+      missing -= out_.NumCorners(g) - 2;
+      std::vector<NamedEdge> of_piece;
+      AppendEdges(out_, g, backwards, &of_piece);
+      for (const auto& [tail, tip] : of_piece) {
+        had.emplace(tail, tip);
+        wanted.emplace_back(tip, tail);
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+  Index PieceWith(const NamedEdge& edge, const std::set<Index>& names,
+                  const std::vector<PieceEdge>& edges) const {
+    for (auto it = std::lower_bound(edges.begin(), edges.end(), PieceEdge{edge, 0});
+         it != edges.end() && it->edge == edge; ++it) {
+      if (!out_taken_[it->face] && HasOnly(it->face, names)) return it->face;
+    }
+    return kNone;
+  }
+
+  bool HasOnly(Index g, const std::set<Index>& names) const {
+    for (Index k = 0; k < out_.NumCorners(g); ++k) {
+      if (!names.contains(out_.Name(g, k))) return false;
+    }
+    return true;
+  }
+
+  Correspondence Finish() {
+    Index last = -1;
+    result_.same_order = true;
+    for (Index f = 0; f < in_.num_faces(); ++f) {
+      if (!in_taken_[f]) result_.missing.push_back(f);
+      const auto cut = result_.pieces.find(f);
+      const Index first = cut != result_.pieces.end() ? cut->second.front() : result_.out_face[f];
+      result_.same_order = result_.same_order && first > last;
+      last = cut != result_.pieces.end() ? cut->second.back() : first;
+    }
+    for (Index g = 0; g < out_.num_faces(); ++g) {
+      if (!out_taken_[g]) result_.extra.push_back(g);
+    }
+    std::sort(result_.reversed.begin(), result_.reversed.end());
+    return std::move(result_);
+  }
+
+  const NamedFaces& in_;
+  const NamedFaces& out_;
+  std::vector<char> in_taken_, out_taken_;
+  Correspondence result_;
+};
 
 }  // namespace
 
-Correspondence MatchTriangles(const FanMesh& in, const FanMesh& out) {
-  Correspondence result;
-  result.out_triangle.assign(in.num_triangles(), kNone);
-  result.same_order = ListedInOrder(in, out);
-  if (result.same_order) {
-    std::iota(result.out_triangle.begin(), result.out_triangle.end(), 0);
-  } else {
-    MatchAsSets(in, out, &result);
-  }
-  for (Index f = 0; f < in.num_triangles(); ++f) {
-    const Index g = result.out_triangle[f];
-    if (g != kNone && !SameCycle(CornersOf(in, f), CornersOf(out, g))) result.reversed.push_back(f);
-  }
-  return result;
+NamedFaces NameCorners(const PolygonSoup& soup, const std::vector<Index>& vertex_name) {
+  NamedFaces faces{soup.first_corner, {}};
+  faces.name.reserve(soup.corner.size());
+  for (const Index v : soup.corner) faces.name.push_back(vertex_name[v]);
+  return faces;
 }
 
-FanMesh Reorder(const FanMesh& out, const Correspondence& correspondence) {
-  FanMesh mesh;
-  mesh.num_vertices = out.num_vertices;
-  mesh.vertex.reserve(out.vertex.size());
-  mesh.soup_corner.reserve(out.vertex.size());
-  for (const Index f : correspondence.out_triangle) {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      mesh.vertex.push_back(out.vertex[h]);
-      mesh.soup_corner.push_back(out.soup_corner[h]);
-    }
-  }
-  return mesh;
-}
-
-Displacement ComparePositions(const std::vector<Eigen::Vector3d>& in,
-                              const std::vector<Eigen::Vector3d>& out, double tolerance) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : in) box.extend(p);
-  const double extent = box.isEmpty() ? 0.0 : box.diagonal().norm();
-  const double diagonal = extent > 0 ? extent : 1.0;
-  Displacement result;
-  for (std::size_t v = 0; v < in.size(); ++v) {
-    const double distance = (in[v] - out[v]).norm();
-    const double relative = std::isfinite(distance) ? distance / diagonal : kInfinity;
-    if (relative > tolerance) result.moved.push_back(static_cast<Index>(v));
-    result.largest = std::max(result.largest, relative);
-  }
-  return result;
+Correspondence MatchFaces(const NamedFaces& in, const NamedFaces& out) {
+  return Matcher(in, out).Match();
 }
 
 }  // namespace cirque::verify

@@ -1,36 +1,43 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "cirque/verify/topology.h"
+#include "cirque/core/types.h"
+#include "cirque/io/polygon_soup.h"
 
 namespace cirque::verify {
 
-/// Which triangle of OUT is which of IN. Numbers are the fan triangles of each file.
+/// The faces of a mesh with a name for every corner. IN's corners and OUT's have the same name
+/// where they are meant to be one vertex; kNone is no name.
+struct NamedFaces {
+  std::vector<Index> first_corner = {0};  ///< F + 1, as in PolygonSoup
+  std::vector<Index> name;                ///< per corner
+
+  Index num_faces() const { return static_cast<Index>(first_corner.size()) - 1; }
+  Index NumCorners(Index f) const { return first_corner[f + 1] - first_corner[f]; }
+  Index Name(Index f, Index k) const { return name[first_corner[f] + k]; }
+};
+
+/// The corners of a mesh by the names of its vertices.
+NamedFaces NameCorners(const PolygonSoup& soup, const std::vector<Index>& vertex_name);
+
+/// Which faces of OUT are which of IN.
 struct Correspondence {
-  std::vector<Index> out_triangle;  ///< per triangle of IN; kNone where OUT lacks it
-  std::vector<Index> missing;       ///< triangles of IN that OUT lacks
-  std::vector<Index> extra;         ///< triangles of OUT that IN lacks
-  std::vector<Index> reversed;      ///< triangles of IN that run the other way round in OUT
-  bool same_order = false;          ///< OUT lists them as IN does
+  std::vector<Index> out_face;  ///< per face of IN; kNone where OUT lacks it or has it in pieces
+  std::map<Index, std::vector<Index>> pieces;  ///< of those faces of IN that OUT has in pieces
+  std::vector<Index> missing;                  ///< faces of IN that OUT lacks
+  std::vector<Index> extra;                    ///< faces of OUT that IN lacks
+  std::vector<Index> reversed;                 ///< faces of IN that run the other way round in OUT
+  bool same_order = false;                     ///< OUT lists them as IN does
 
   bool complete() const { return missing.empty() && extra.empty(); }
 };
 
-/// Triangles correspond when they have the same three vertices, in any cyclic order or reversed.
-Correspondence MatchTriangles(const FanMesh& in, const FanMesh& out);
-
-/// The triangles of `out` in the order of IN's, by a complete correspondence.
-FanMesh Reorder(const FanMesh& out, const Correspondence& correspondence);
-
-/// How far OUT's vertices are from IN's, relative to the diagonal of IN's bounding box.
-struct Displacement {
-  double largest = 0;
-  std::vector<Index> moved;  ///< the vertices displaced by more than the tolerance, or not finite
-};
-Displacement ComparePositions(const std::vector<Eigen::Vector3d>& in,
-                              const std::vector<Eigen::Vector3d>& out, double tolerance);
+/// Faces correspond when their corners have the same names in turn, from whichever corner on; those
+/// that are left when their corners have the same names in reverse; and a polygon of IN that is
+/// still left to faces of OUT that, glued along diagonals of the polygon, have its border.
+/// O(n log n) with n corners.
+Correspondence MatchFaces(const NamedFaces& in, const NamedFaces& out);
 
 }  // namespace cirque::verify

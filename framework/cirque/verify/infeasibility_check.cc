@@ -68,7 +68,7 @@ void CheckIntervals(const InfeasibilityCertificate& certificate, InfeasibilityRe
   }
 }
 
-void CheckForm(const InfeasibilityCertificate& certificate, const FanMesh& mesh,
+void CheckForm(const InfeasibilityCertificate& certificate, const TriangleMesh& mesh,
                InfeasibilityReport* report) {
   const double epsilon = certificate.epsilon_over_pi;
   Expect(epsilon >= 0 && epsilon < 1.0 / 3,
@@ -87,23 +87,32 @@ void CheckForm(const InfeasibilityCertificate& certificate, const FanMesh& mesh,
   if (report->accepted()) CheckIntervals(certificate, report);
 }
 
+/// Per vertex how many corners it has and whether it is on the boundary.
+struct VertexPlaces {
+  explicit VertexPlaces(const Surface& surface)
+      : corners(surface.mesh.num_vertices, 0), on_boundary(surface.mesh.num_vertices, false) {
+    const TriangleMesh& mesh = surface.mesh;
+    for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
+      ++corners[mesh.Tail(h)];
+      if (surface.twin[h] == kNone) on_boundary[mesh.Tail(h)] = on_boundary[mesh.Tip(h)] = true;
+    }
+  }
+
+  std::vector<Index> corners;
+  std::vector<bool> on_boundary;
+};
+
 /// Sorts the constrained vertices by what is asked of them.
 void NameConstraints(const InfeasibilityCertificate& certificate, const Surface& surface,
                      InfeasibilityReport* report) {
-  const FanMesh& mesh = surface.mesh;
-  std::vector<Index> corners(mesh.num_vertices, 0);
-  std::vector<bool> on_boundary(mesh.num_vertices, false);
-  for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
-    ++corners[mesh.Tail(h)];
-    if (surface.twin[h] == kNone) on_boundary[mesh.Tail(h)] = on_boundary[mesh.Tip(h)] = true;
-  }
+  const VertexPlaces places(surface);
   for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
     const Index v = certificate.constrained_vertex[i];
     const double lower = certificate.lower_over_pi[i], upper = certificate.upper_over_pi[i];
-    if (corners[v] == 0) {
+    if (places.corners[v] == 0) {
       report->errors.push_back(fmt::format("constrained vertex {} belongs to no triangle", v));
-    } else if (on_boundary[v]) {
-      if (lower > 0 || upper < corners[v]) report->prescribed.push_back(v);
+    } else if (places.on_boundary[v]) {
+      if (lower > 0 || upper < places.corners[v]) report->prescribed.push_back(v);
     } else if (lower == 2 && upper == 2) {
       ++report->num_flat;
     } else {
@@ -122,7 +131,7 @@ struct Sides {
 /// q); over [eps, 1 - eps] that of p a is eps p + (1 - 2 eps) max(0, p). So only sums of
 /// multipliers are needed, and epsilon enters once at the end.
 Sides SumSides(const InfeasibilityCertificate& certificate, const Surface& surface) {
-  const FanMesh& mesh = surface.mesh;
+  const TriangleMesh& mesh = surface.mesh;
   std::vector<double> of_vertex(mesh.num_vertices, 0.0);
   Sides sides;
   for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
@@ -134,7 +143,7 @@ Sides SumSides(const InfeasibilityCertificate& certificate, const Surface& surfa
   for (const double y : certificate.face_multiplier) sides.left += ToFixed(y) << kFractionBits;
   const auto opposite = [&](Index h) {
     return Fixed(ToFixed(certificate.face_multiplier[h / 3]) +
-                 ToFixed(of_vertex[mesh.vertex[FanMesh::Prev(h)]]));
+                 ToFixed(of_vertex[mesh.vertex[TriangleMesh::Prev(h)]]));
   };
   Fixed sum = 0, inner_maxima = 0, boundary_maxima = 0;
   for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
@@ -153,6 +162,11 @@ Sides SumSides(const InfeasibilityCertificate& certificate, const Surface& surfa
   return sides;
 }
 
+bool Holds(const InfeasibilityCertificate& certificate, const Sides& sides) {
+  const bool open = certificate.epsilon_over_pi == 0 && sides.some_nonzero;
+  return sides.left > sides.right || (open && sides.left == sides.right);
+}
+
 void CheckInequality(const InfeasibilityCertificate& certificate, const Surface& surface,
                      InfeasibilityReport* report) {
   const Sides sides = SumSides(certificate, surface);
@@ -161,18 +175,39 @@ void CheckInequality(const InfeasibilityCertificate& certificate, const Surface&
   report->left = Rounded(sides.left);
   report->right = Rounded(sides.right);
   report->margin = Rounded(margin);
-  const bool open = certificate.epsilon_over_pi == 0 && sides.some_nonzero;
-  if (margin > 0 || (open && margin == 0)) return;
+  if (Holds(certificate, sides)) return;
   report->errors.push_back(
       fmt::format("the inequality fails: left side - right side = {:.6g}, which should be positive",
                   report->margin));
 }
 
+/// Puts the targets asked about in the place of the certificate's.
+void CompareWithAsked(InfeasibilityCertificate certificate, const Surface& surface,
+                      const AngleTargets& asked, InfeasibilityReport* report) {
+  const VertexPlaces places(surface);
+  report->targets_given = !asked.at.empty();
+  for (std::size_t i = 0; i < certificate.constrained_vertex.size(); ++i) {
+    const Index v = certificate.constrained_vertex[i];
+    double &lower = certificate.lower_over_pi[i], &upper = certificate.upper_over_pi[i];
+    if (places.on_boundary[v] && certificate.removed_vertex != kNone) continue;
+    const AngleInterval wanted =
+        asked.At(v, !places.on_boundary[v])
+            .value_or(AngleInterval{0, static_cast<double>(places.corners[v])});
+    if (!(lower <= wanted.lower_over_pi && wanted.upper_over_pi <= upper)) {
+      report->own_targets.push_back(v);
+      report->own_intervals.push_back({lower, upper});
+    }
+    lower = wanted.lower_over_pi;
+    upper = wanted.upper_over_pi;
+  }
+  report->proves_asked = Holds(certificate, SumSides(certificate, surface));
+}
+
 }  // namespace
 
 StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& given,
-                                                 const PolygonSoup& in) {
-  StatusOr<FanMesh> mesh = FanTriangulate(in);
+                                                 const PolygonSoup& in, const AngleTargets& asked) {
+  StatusOr<TriangleMesh> mesh = FanTriangulate(in);
   if (!mesh.ok()) return mesh.status().In("IN");
   StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
   if (!surface.ok()) return surface.status().In("IN");
@@ -187,6 +222,7 @@ StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate&
   }
   if (report.accepted()) NameConstraints(certificate, *surface, &report);
   if (report.accepted()) CheckInequality(certificate, *surface, &report);
+  if (report.accepted()) CompareWithAsked(certificate, *surface, asked, &report);
   return report;
 }
 

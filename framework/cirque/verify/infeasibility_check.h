@@ -6,6 +6,7 @@
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/status.h"
 #include "cirque/io/polygon_soup.h"
+#include "cirque/verify/angle_targets.h"
 #include "cirque/verify/topology.h"
 
 namespace cirque::verify {
@@ -26,7 +27,13 @@ struct InfeasibilityReport {
   Index num_flat = 0;      ///< inner vertices constrained to exactly 2 pi
   std::vector<Index> cones;       ///< inner vertices constrained to anything else
   std::vector<Index> prescribed;  ///< boundary vertices held to less than (0, corners * pi)
+  bool targets_given = false;     ///< whether the targets asked about were named, or the default's
+  /// Vertices whose targets in the certificate do not follow from those asked about.
+  std::vector<Index> own_targets;
+  std::vector<AngleInterval> own_intervals;  ///< what the certificate asks of them
+  bool proves_asked = false;  ///< whether the inequality holds with the targets asked about too
 
+  /// Whether the certificate shows that its own targets cannot be met.
   bool accepted() const { return errors.empty(); }
   std::string Verdict() const;
 };
@@ -55,9 +62,17 @@ struct InfeasibilityReport {
 /// Glued to its mirror image that is the claim above, so there is no pattern with the boundary on
 /// one circle.
 ///
+/// A certificate names targets of its own, and it is easy to name some that nothing meets. So the
+/// inequality is evaluated once more with the multipliers that it has and the targets `asked`
+/// about: 2 pi inside and a free boundary, unless the user names others. (At vertices next to a
+/// removed one and on a straight boundary these are the certificate's, which are those of the
+/// domain, as said above.) Where it then fails, the certificate says nothing of the targets asked
+/// about.
+///
 /// A status is returned when `in` is not an orientable manifold.
 StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& certificate,
-                                                 const PolygonSoup& in);
+                                                 const PolygonSoup& in,
+                                                 const AngleTargets& asked = DefaultTargets());
 
 /// Reads the "infeasibility" member of a certificate. Errors name the key and what was expected.
 StatusOr<InfeasibilityCertificate> ReadInfeasibilityCertificate(const std::string& path);

@@ -1,15 +1,44 @@
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cirque/core/text.h"
-#include "cirque/verify/findings.h"
 #include "cirque/verify/infeasibility_check.h"
+#include "cirque/verify/report_words.h"
 
 namespace cirque::verify {
 namespace {
 
-std::string Line(const std::string& name, const std::string& text) {
-  return fmt::format("{:<18}{}\n", name, text);
+/// "vertex 5: 100 pi, vertex 7: 1.5 to 2 pi and 3 more".
+std::string OwnTargets(const InfeasibilityReport& report) {
+  constexpr std::size_t kShown = 8;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < report.own_targets.size() && i < kShown; ++i) {
+    const auto& [lower, upper] = report.own_intervals[i];
+    words.push_back(
+        lower == upper
+            ? fmt::format("vertex {}: {:.9g} pi", report.own_targets[i], lower)
+            : fmt::format("vertex {}: {:.9g} to {:.9g} pi", report.own_targets[i], lower, upper));
+  }
+  if (report.own_targets.size() > kShown) {
+    words.push_back(fmt::format("and {} more", report.own_targets.size() - kShown));
+  }
+  return Join(words);
+}
+
+/// What the claim is about comes before whether it holds.
+std::string TargetLine(const InfeasibilityReport& report) {
+  const std::string asked = report.targets_given
+                                ? "those of the file given"
+                                : "2 pi at inner vertices, boundary free (the default's)";
+  if (report.own_targets.empty()) return Line("targets", asked);
+  if (report.proves_asked) {
+    return Line("targets", fmt::format("{}; the certificate names others ({}), but holds for these",
+                                       asked, OwnTargets(report)));
+  }
+  return Line("targets", fmt::format("the certificate's own ({}), not {}", OwnTargets(report),
+                                     report.targets_given ? asked : "the default's"));
 }
 
 std::string InequalityLines(const InfeasibilityReport& report) {
@@ -34,20 +63,25 @@ std::string InequalityLines(const InfeasibilityReport& report) {
 
 std::string InfeasibilityReport::Verdict() const {
   if (!accepted()) return "REJECTED: " + Join(errors, "; ");
+  std::string claim = "no coherent angles";
   if (removed_vertex != kNone) {
-    return fmt::format(
-        "accepted (no coherent angles {}without vertex {}, margin eps = {:.6g} pi, its neighbours "
-        "at "
-        "most {:.9g} pi)",
+    claim += fmt::format(
+        " {}without vertex {}, margin eps = {:.6g} pi, its neighbours at most {:.9g} pi",
         straight_boundary ? "with a straight boundary " : "", removed_vertex, epsilon_over_pi,
         link_upper_over_pi);
+  } else if (epsilon_over_pi > 0) {
+    claim += fmt::format(" with margin eps = {:.6g} pi", epsilon_over_pi);
   }
-  if (epsilon_over_pi == 0) return "accepted (no coherent angles)";
-  return fmt::format("accepted (no coherent angles with margin eps = {:.6g} pi)", epsilon_over_pi);
+  if (proves_asked) return fmt::format("accepted ({})", claim);
+  return fmt::format(
+      "NOT PROVEN of the targets asked about: {} for targets that the certificate names itself "
+      "({})",
+      claim, OwnTargets(*this));
 }
 
 std::string ToText(const InfeasibilityReport& report) {
-  std::string text = Line("triangles", fmt::format("{}", report.num_triangles));
+  std::string text = report.evaluated ? TargetLine(report) : "";
+  text += Line("triangles", fmt::format("{}", report.num_triangles));
   text +=
       Line("margin eps",
            fmt::format("{:.6g} pi{}", report.epsilon_over_pi,
@@ -66,7 +100,10 @@ std::string ToText(const InfeasibilityReport& report) {
 
 std::string ToJson(const InfeasibilityReport& report) {
   nlohmann::ordered_json json;
-  json["accepted"] = report.accepted();
+  json["accepted"] = report.accepted() && report.proves_asked;
+  json["holds_for_own_targets"] = report.accepted();
+  json["targets"] = report.targets_given ? "given" : "default";
+  json["vertices_with_own_targets"] = report.own_targets;
   json["verdict"] = report.Verdict();
   json["errors"] = report.errors;
   json["triangles"] = report.num_triangles;
@@ -77,14 +114,15 @@ std::string ToJson(const InfeasibilityReport& report) {
     json["straight_boundary"] = report.straight_boundary;
     json["triangles_beyond_chords"] = report.num_beyond_chords;
   }
-  const auto known = [&](double x) { return report.evaluated ? nlohmann::json(x) : nullptr; };
-  json["left"] = known(report.left);
-  json["right"] = known(report.right);
-  json["margin"] = known(report.margin);
+  if (report.evaluated) {
+    json["left"] = report.left;
+    json["right"] = report.right;
+    json["margin"] = report.margin;
+  }
   json["flat_vertices"] = report.num_flat;
   json["cones"] = report.cones;
   json["prescribed_boundary_vertices"] = report.prescribed;
-  return json.dump(2) + "\n";
+  return FiniteJson(std::move(json));
 }
 
 }  // namespace cirque::verify

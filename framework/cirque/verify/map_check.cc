@@ -1,28 +1,37 @@
 #include "cirque/verify/map_check.h"
 
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
 #include "cirque/verify/findings.h"
+#include "cirque/verify/polygon_check.h"
+#include "cirque/verify/report_words.h"
 
 namespace cirque::verify {
 namespace {
 
 /// A NaN as tolerance would let everything pass.
-Status CheckTolerances(const VerifyOptions& options) {
+Status CheckOptions(const VerifyOptions& options, Index num_vertices) {
   const std::pair<const char*, double> tolerances[] = {
       {"position_tolerance", options.position_tolerance},
       {"angle_tolerance", options.angle_tolerance},
-      {"seam_tolerance", options.seam_tolerance},
-      {"circle_tolerance", options.circle_tolerance}};
+      {"seam_tolerance", options.seams.tolerance},
+      {"circle_tolerance", options.circle_tolerance},
+      {"max_patches", options.seams.max_patches.value_or(0)},
+      {"max_seam_edges", options.seams.max_edges.value_or(0)},
+      {"seam_rotations", options.seams.rotation_order}};
   for (const auto& [name, value] : tolerances) {
     if (value >= 0) continue;
     return Status::InvalidInput(fmt::format("{} = {}: a number >= 0 is needed", name, value));
   }
-  return {};
+  if (options.targets.at.empty() || static_cast<Index>(options.targets.at.size()) == num_vertices) {
+    return {};
+  }
+  return Status::InvalidInput(
+      fmt::format("{} targets for {} vertices", options.targets.at.size(), num_vertices));
 }
 
 Status CheckInput(const PolygonSoup& in) {
@@ -35,90 +44,90 @@ Status CheckInput(const PolygonSoup& in) {
   return {};
 }
 
-/// Matches vertices and triangles; false when the rest cannot be judged.
-bool MatchMeshes(const PolygonSoup& in, const PolygonSoup& out, const FanMesh& in_mesh,
-                 const FanMesh& out_mesh, double tolerance, MapReport* report) {
-  std::vector<std::string>& errors = report->errors;
-  if (in.position.size() != out.position.size()) {
-    errors.push_back(fmt::format("IN has {} and OUT {}; OUT must keep IN's vertices in their order",
-                                 Count(in.position.size(), "vertex"), out.position.size()));
-    return false;
-  }
-  report->displacement = ComparePositions(in.position, out.position, tolerance);
-  const std::vector<Index>& moved = report->displacement.moved;
-  if (!moved.empty()) {
-    errors.push_back(fmt::format(
-        "{} moved ({}): by up to {:.3g} of the bounding box, {:.3g} allowed",
-        Count(moved.size(), "vertex"), IdList(moved), report->displacement.largest, tolerance));
-  }
-  report->correspondence = MatchTriangles(in_mesh, out_mesh);
-  const Correspondence& match = report->correspondence;
-  if (!match.missing.empty()) {
-    errors.push_back(fmt::format("{} of IN missing from OUT ({})",
-                                 Count(match.missing.size(), "triangle"), IdList(match.missing)));
-  }
-  if (!match.extra.empty()) {
-    errors.push_back(fmt::format("{} of OUT not in IN (numbers of OUT: {})",
-                                 Count(match.extra.size(), "triangle"), IdList(match.extra)));
-  }
-  return match.complete();
-}
-
-/// The UV of every corner; false when some are missing or not finite, which is an error then.
-bool CollectUvs(const PolygonSoup& out, const FanMesh& mesh, std::vector<Point>* uv,
-                MapReport* report) {
-  uv->resize(mesh.vertex.size());
-  for (Index f = 0; f < mesh.num_triangles(); ++f) {
-    bool complete = !out.corner_texture.empty(), finite = true;
-    for (Index h = 3 * f; complete && h < 3 * f + 3; ++h) {
-      const Index texture = out.corner_texture[mesh.soup_corner[h]];
-      complete = texture >= 0 && texture < static_cast<Index>(out.texture.size());
-      if (!complete) continue;
-      (*uv)[h] = out.texture[texture];
-      finite = finite && (*uv)[h].allFinite();
-    }
-    if (!complete) report->without_uv.push_back(f);
-    if (!finite) report->not_finite.push_back(f);
-  }
-  if (!report->without_uv.empty()) {
-    report->errors.push_back(fmt::format("{} without texture coordinates ({})",
-                                         Count(report->without_uv.size(), "triangle"),
-                                         IdList(report->without_uv)));
-  }
-  if (!report->not_finite.empty()) {
-    report->errors.push_back(fmt::format("{} with texture coordinates that are not finite ({})",
-                                         Count(report->not_finite.size(), "triangle"),
-                                         IdList(report->not_finite)));
-  }
-  return report->without_uv.empty() && report->not_finite.empty();
-}
-
 void Append(std::vector<std::string> more, std::vector<std::string>* errors) {
   errors->insert(errors->end(), std::make_move_iterator(more.begin()),
                  std::make_move_iterator(more.end()));
 }
 
-void JudgeSeams(const UvComplex& complex, const VerifyOptions& options, MapReport* report) {
-  report->seams = CompareSeams(complex);
-  const SeamAgreement& seams = *report->seams;
-  const bool rigid = seams.num_edges == 0 || seams.largest_difference <= options.seam_tolerance;
-  if (rigid || !options.require_rigid_seams) return;
-  report->errors.push_back(fmt::format(
-      "the two sides of seam {} differ in length by {:.3g}, {:.3g} allowed",
-      NameEdge(complex, seams.worst_halfedge), seams.largest_difference, options.seam_tolerance));
+/// Faces of OUT without a UV at every corner, and with one that is not finite.
+struct UvGaps {
+  std::vector<char> without, not_finite;
+};
+
+UvGaps FindUvGaps(const PolygonSoup& out) {
+  UvGaps gaps;
+  const auto num_uvs = static_cast<Index>(out.texture.size());
+  for (Index g = 0; g < out.num_polygons(); ++g) {
+    bool complete = !out.corner_texture.empty(), finite = true;
+    for (Index c = out.first_corner[g]; complete && c < out.first_corner[g + 1]; ++c) {
+      const Index uv = out.corner_texture[c];
+      complete = uv >= 0 && uv < num_uvs;
+      finite = finite && complete && out.texture[uv].allFinite();
+    }
+    gaps.without.push_back(!complete);
+    gaps.not_finite.push_back(complete && !finite);
+  }
+  return gaps;
+}
+
+/// The faces of IN of which `bad` tells a part.
+std::vector<Index> FacesOf(const Correspondence& faces, const std::vector<char>& bad) {
+  std::vector<Index> result;
+  for (Index f = 0; f < static_cast<Index>(faces.out_face.size()); ++f) {
+    if (faces.out_face[f] != kNone && bad[faces.out_face[f]]) result.push_back(f);
+    const auto cut = faces.pieces.find(f);
+    if (cut == faces.pieces.end()) continue;
+    bool is_bad = false;
+    for (const Index g : cut->second) is_bad = is_bad || bad[g];
+    if (is_bad) result.push_back(f);
+  }
+  return result;
+}
+
+/// Whether every face has its UVs; if not, that is an error.
+bool JudgeUvs(const PolygonSoup& out, MapReport* report) {
+  const UvGaps gaps = FindUvGaps(out);
+  report->without_uv = FacesOf(report->match.faces, gaps.without);
+  report->not_finite = FacesOf(report->match.faces, gaps.not_finite);
+  for (const auto& [faces, fault] :
+       {std::pair(&report->without_uv, "without texture coordinates"),
+        std::pair(&report->not_finite, "with texture coordinates that are not finite")}) {
+    if (faces->empty()) continue;
+    report->errors.push_back(
+        fmt::format("{} {} ({})", Count(faces->size(), report->noun), fault, IdList(*faces)));
+  }
+  return report->without_uv.empty() && report->not_finite.empty();
+}
+
+/// The shape of a face in the plane, and triangles that fill it where it is simple.
+ImageOf ImageInPlane(const PolygonSoup& out) {
+  return [&out](const std::vector<FaceCorner>& corners) {
+    std::vector<Point> polygon;
+    for (const FaceCorner& corner : corners) {
+      polygon.push_back(out.texture[out.corner_texture[corner.soup_corner]]);
+    }
+    const auto n = static_cast<int>(polygon.size());
+    const PolygonShape shape = ShapeOf(polygon);
+    std::vector<int> triangles;
+    if (n > 3 && shape == PolygonShape::kSimple) {
+      triangles = CutEars(
+          n, [&](int i, int j, int k) { return Orientation(polygon[i], polygon[j], polygon[k]); });
+    }
+    if (triangles.empty()) triangles = CutFan(n);
+    return std::pair(shape, std::move(triangles));
+  };
 }
 
 void JudgeMap(const UvComplex& complex, const VerifyOptions& options, MapReport* report) {
-  report->num_patches = complex.num_patches;
-  report->orientations = ClassifyTriangles(complex);
-  Append(OrientationErrors(*report->orientations, complex.num_triangles()), &report->errors);
-  const bool oriented =
-      report->orientations->flipped.empty() && report->orientations->zero_area.empty();
+  const Orientations& found = *report->orientations;
+  Append(OrientationErrors(found, report->noun), &report->errors);
+  const bool oriented = found.flipped.empty() && found.zero_area.empty() && found.folded.empty();
   report->angles = MeasureAngles(complex, options.targets, options.angle_tolerance);
   // Round a flipped triangle the angles say nothing that the flip does not.
   if (!oriented) report->angles->wrapped.clear();
   Append(AngleErrors(*report->angles, options.angle_tolerance), &report->errors);
-  JudgeSeams(complex, options, report);
+  report->seams = CompareSeams(complex, options.seams.rotation_order);
+  Append(SeamErrors(complex, *report->seams, options.seams), &report->errors);
   if (options.unit_disk) {
     report->disk = FitDisk(complex, options.circle_tolerance);
     Append(DiskErrors(complex, *report->disk, options.circle_tolerance), &report->errors);
@@ -130,36 +139,65 @@ void JudgeMap(const UvComplex& complex, const VerifyOptions& options, MapReport*
   }
 }
 
+/// Judges what OUT's corners make of IN's faces, all of which were found.
+void JudgeFaces(const PolygonSoup& in, const PolygonSoup& out, const Surface& in_surface,
+                const VerifyOptions& options, MapReport* report) {
+  const std::vector<Index> folded = FoldedTriangulations(in, report->match);
+  if (!folded.empty()) {
+    report->errors.push_back(
+        fmt::format("{} cut by OUT into triangles that lie partly outside of it ({})",
+                    Count(folded.size(), "polygon"), IdList(folded)));
+  }
+  if (!JudgeUvs(out, report)) return;
+  JudgedMesh judged =
+      BuildJudgedMesh(in, TurnedFaces(in, in_surface), report->match, ImageInPlane(out));
+  report->orientations = std::move(judged.orientations);
+  StatusOr<Surface> surface = BuildSurface(std::move(judged.mesh));
+  if (!surface.ok()) {
+    report->errors.push_back("OUT: " + surface.status().message());
+    return;
+  }
+  std::vector<Point> uv;
+  uv.reserve(surface->mesh.soup_corner.size());
+  for (const Index c : surface->mesh.soup_corner) uv.push_back(out.texture[out.corner_texture[c]]);
+  report->complex = BuildUvComplex(*std::move(surface), std::move(uv));
+  JudgeMap(*report->complex, options, report);
+}
+
 }  // namespace
 
 std::string MapReport::Verdict() const {
   if (!valid()) return "INVALID: " + Join(errors, "; ");
-  return overlap->overlaps() ? "valid (locally injective, boundary overlaps itself)"
-                             : "valid (injective)";
+  return fmt::format("{}, {}",
+                     overlap->overlaps() ? "valid (locally injective, boundary overlaps itself)"
+                                         : "valid (injective)",
+                     SeamStatement(*complex));
 }
 
 StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
                               const VerifyOptions& options) {
-  const Status tolerances = CheckTolerances(options);
-  if (!tolerances.ok()) return tolerances;
-  const Status input = CheckInput(in);
-  if (!input.ok()) return input.In("IN");
-  const StatusOr<FanMesh> in_mesh = FanTriangulate(in), out_mesh = FanTriangulate(out);
-  if (!in_mesh.ok()) return in_mesh.status().In("IN");
-  if (!out_mesh.ok()) return out_mesh.status().In("OUT");
-  MapReport report;
-  report.num_triangles = in_mesh->num_triangles();
-  report.num_vertices = in_mesh->num_vertices;
-  if (!MatchMeshes(in, out, *in_mesh, *out_mesh, options.position_tolerance, &report)) {
-    return report;
-  }
-  StatusOr<Surface> surface = BuildSurface(Reorder(*out_mesh, report.correspondence));
+  Status status = CheckOptions(options, static_cast<Index>(in.position.size()));
+  if (!status.ok()) return status;
+  status = CheckInput(in);
+  if (!status.ok()) return status.In("IN");
+  status = CheckFaces(out);
+  if (!status.ok()) return status.In("OUT");
+  StatusOr<TriangleMesh> mesh = FanTriangulate(in);
+  if (!mesh.ok()) return mesh.status().In("IN");
+  const StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
   if (!surface.ok()) return surface.status().In("IN");
-  report.turned = surface->turned;
-  std::vector<Point> uv;
-  if (!CollectUvs(out, surface->mesh, &uv, &report)) return report;
-  report.complex = BuildUvComplex(*std::move(surface), std::move(uv));
-  JudgeMap(*report.complex, options, &report);
+  MapReport report;
+  report.noun = FaceNoun(in);
+  report.num_faces = in.num_polygons();
+  report.num_triangles = surface->mesh.num_triangles();
+  report.num_vertices = surface->mesh.num_vertices;
+  for (const Index t : surface->turned) {
+    const Index f = surface->mesh.face[t];
+    if (report.turned.empty() || report.turned.back() != f) report.turned.push_back(f);
+  }
+  report.match = MatchMeshes(in, out, options.position_tolerance);
+  report.errors = MatchErrors(in, out, report.match, options.position_tolerance);
+  if (report.match.faces.complete()) JudgeFaces(in, out, *surface, options, &report);
   return report;
 }
 

@@ -2,14 +2,18 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cirque/core/status.h"
 #include "cirque/io/polygon_soup.h"
 #include "cirque/verify/angle_check.h"
-#include "cirque/verify/boundary_check.h"
-#include "cirque/verify/correspondence.h"
+#include "cirque/verify/angle_targets.h"
+#include "cirque/verify/disk_check.h"
+#include "cirque/verify/judged_mesh.h"
+#include "cirque/verify/mesh_match.h"
 #include "cirque/verify/overlap_check.h"
+#include "cirque/verify/seam_check.h"
 
 namespace cirque::verify {
 
@@ -17,12 +21,11 @@ struct VerifyOptions {
   double position_tolerance = 1e-6;  ///< a vertex may be off by this fraction of the bounding box
   double angle_tolerance = 1e-6;  ///< radians: a seam vertex off 2 pi by more is a cone, a vertex
                                   ///< off its target by more is an error
-  double seam_tolerance = 1e-6;   ///< relative; enters with require_rigid_seams
   bool unit_disk = false;  ///< the boundary must lie on the unit circle, once round and in order
   double circle_tolerance = 1e-14;
-  bool require_injective = false;              ///< an overlap makes the map invalid
-  bool require_rigid_seams = false;            ///< so does a seam whose two sides differ in length
-  std::vector<std::optional<double>> targets;  ///< angle sums, one per vertex; empty: none
+  bool require_injective = false;  ///< an overlap makes the map invalid
+  SeamLimits seams;                ///< so does a seam beyond these
+  AngleTargets targets;            ///< angle sums; empty: none is asked for
 };
 
 /// What a caller may say of a map beside the verdict, which never depends on it.
@@ -32,42 +35,45 @@ struct QualityFigures {
   Index worst_triangle = kNone;  ///< of the largest quasi-conformal distortion
 };
 
-/// What was found. Triangles are IN's fan triangles, vertices IN's, numbered from 0. A part that
-/// could not be judged, because an error before it left nothing to judge, is absent.
+/// What was found. Faces and vertices are IN's, numbered from 0. A part that could not be judged,
+/// because an error before it left nothing to judge, is absent.
 struct MapReport {
   std::vector<std::string> errors;  ///< why the map is invalid; empty for a valid one
-  Index num_triangles = 0;
+  std::string noun = "triangle";    ///< what the faces are called: "face" where some are polygons
+  Index num_faces = 0;
+  Index num_triangles = 0;  ///< that the faces can be cut into
   Index num_vertices = 0;
-  Displacement displacement;
-  Correspondence correspondence;
-  std::vector<Index> turned;      ///< triangles that OUT orients against their neighbours
-  std::vector<Index> without_uv;  ///< triangles that lack a UV
-  std::vector<Index> not_finite;  ///< triangles with a NaN or an infinite UV
-  Index num_patches = 0;
+  MeshMatch match;
+  std::vector<Index> turned;      ///< faces that run against their neighbours in IN
+  std::vector<Index> without_uv;  ///< faces that lack a UV
+  std::vector<Index> not_finite;  ///< faces with a NaN or an infinite UV
   std::optional<Orientations> orientations;
   std::optional<AngleMeasures> angles;
   std::optional<SeamAgreement> seams;
   std::optional<DiskFit> disk;            ///< with unit_disk
-  std::optional<OverlapResult> overlap;   ///< judged for locally injective maps only
+  std::optional<OverlapResult> overlap;   ///< judged where no face is turned over or folded
   std::optional<UvComplex> complex;       ///< the map as it was judged, in IN's order
   std::optional<QualityFigures> quality;  ///< left for the caller to fill
 
   bool valid() const { return errors.empty(); }
-  /// "valid (injective)", "valid (locally injective, boundary overlaps itself)" or
-  /// "INVALID: " and the errors.
+  /// "valid (injective)" or "valid (locally injective, boundary overlaps itself)" and the patches
+  /// and seams, or "INVALID: " and the errors.
   std::string Verdict() const;
 };
 
-/// Judges the map that OUT's texture coordinates are of the surface IN. A wrong map is a report
-/// with errors; a status is returned when IN itself cannot be mapped (no faces, not an orientable
-/// manifold, coordinates that are not finite) or a tolerance is negative or NaN.
+/// Judges the map that OUT's texture coordinates are of the surface IN. Its faces are found by
+/// their corners (mesh_match.h), and their orientation in IN is the one that counts; OUT may have
+/// IN's polygons cut up. A wrong map is a report with errors; a status is returned when IN itself
+/// cannot be mapped (no faces, not an orientable manifold, coordinates that are not finite) or an
+/// option makes no sense.
 StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
                               const VerifyOptions& options);
 
 /// A few aligned lines; the last is "verdict: ...".
 std::string ToText(const MapReport& report);
 
-/// The same as one JSON object with stable snake_case keys; a number that is not known is null.
+/// The same as one JSON object with stable snake_case keys. Keys that speak of triangles mean faces
+/// where IN has others; a number that is not known, or not finite, is left out.
 std::string ToJson(const MapReport& report);
 
 }  // namespace cirque::verify

@@ -8,7 +8,7 @@
 namespace cirque::verify {
 namespace {
 
-Index NumHalfedges(const FanMesh& mesh) { return static_cast<Index>(mesh.vertex.size()); }
+Index NumHalfedges(const TriangleMesh& mesh) { return static_cast<Index>(mesh.vertex.size()); }
 
 std::vector<bool> BoundaryOf(const Surface& surface) {
   std::vector<bool> on_boundary(surface.mesh.num_vertices, false);
@@ -22,7 +22,7 @@ std::vector<bool> BoundaryOf(const Surface& surface) {
 /// The largest part into which the inner edges between boundary vertices cut the surface, the one
 /// with the first triangle among equals; of a closed surface all of it.
 std::vector<bool> LargestPiece(const Surface& surface) {
-  const FanMesh& mesh = surface.mesh;
+  const TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> on_boundary = BoundaryOf(surface);
   std::vector<Index> piece(mesh.num_triangles(), kNone), size;
   for (Index first = 0; first < mesh.num_triangles(); ++first) {
@@ -54,13 +54,16 @@ std::vector<bool> LargestPiece(const Surface& surface) {
 /// The surface and the certificate without some triangles, whose multipliers must be 0.
 bool KeepTriangles(const std::vector<bool>& keep, const std::string& what, Surface* surface,
                    InfeasibilityCertificate* certificate, InfeasibilityReport* report) {
-  FanMesh rest;
+  TriangleMesh rest;
   rest.num_vertices = surface->mesh.num_vertices;
   std::vector<double> multiplier;
   for (Index f = 0; f < surface->mesh.num_triangles(); ++f) {
     if (keep[f]) {
       const auto corner = surface->mesh.vertex.begin() + 3 * f;
       rest.vertex.insert(rest.vertex.end(), corner, corner + 3);
+      const auto inside = surface->mesh.diagonal.begin() + 3 * f;
+      rest.diagonal.insert(rest.diagonal.end(), inside, inside + 3);
+      rest.face.push_back(surface->mesh.face[f]);
       multiplier.push_back(certificate->face_multiplier[f]);
     } else if (certificate->face_multiplier[f] != 0) {
       report->errors.push_back(

@@ -1,13 +1,15 @@
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "cirque/verify/map_check.h"
+#include "cirque/verify/report_words.h"
 
 namespace cirque::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;  // NaN is written as null
+using Json = nlohmann::ordered_json;
 
 /// "NAME": how many, "NAME_ids": the first of them.
 void PutIds(const std::string& name, const std::vector<Index>& ids, Json* json) {
@@ -18,17 +20,31 @@ void PutIds(const std::string& name, const std::vector<Index>& ids, Json* json) 
 }
 
 void PutMatch(const MapReport& report, Json* json) {
+  const MeshMatch& match = report.match;
+  (*json)["faces"] = report.num_faces;
   (*json)["triangles"] = report.num_triangles;
   (*json)["vertices"] = report.num_vertices;
-  (*json)["same_order"] = report.correspondence.same_order;
-  (*json)["largest_displacement"] = report.displacement.largest;
-  PutIds("moved_vertices", report.displacement.moved, json);
-  PutIds("missing_triangles", report.correspondence.missing, json);
-  PutIds("extra_triangles", report.correspondence.extra, json);
-  PutIds("reversed_triangles", report.correspondence.reversed, json);
+  (*json)["same_order"] = match.faces.same_order;
+  (*json)["matched_by_position"] = match.by_position;
+  (*json)["polygons_in_pieces"] = match.faces.pieces.size();
+  (*json)["scale"] = match.scale;
+  (*json)["largest_displacement"] = match.displacement.largest;
+  PutIds("moved_vertices", match.displacement.moved, json);
+  PutIds("missing_triangles", match.faces.missing, json);
+  PutIds("extra_triangles", match.faces.extra, json);
+  PutIds("reversed_triangles", match.faces.reversed, json);
   PutIds("turned_triangles", report.turned, json);
   PutIds("triangles_without_uv", report.without_uv, json);
   PutIds("triangles_not_finite", report.not_finite, json);
+}
+
+void PutSeams(const UvComplex& complex, const SeamAgreement& seams, Json* json) {
+  (*json)["components"] = complex.num_components;
+  (*json)["patches"] = complex.num_patches;
+  (*json)["torn"] = complex.torn();
+  (*json)["seam_edges"] = complex.num_seam_edges;
+  (*json)["largest_seam_length_difference"] = seams.largest_difference;
+  (*json)["largest_seam_rotation_gap"] = seams.largest_rotation_gap;
 }
 
 void PutAngles(const AngleMeasures& angles, Json* json) {
@@ -49,22 +65,20 @@ void PutAngles(const AngleMeasures& angles, Json* json) {
 
 void PutQuality(const QualityFigures& quality, Json* json) {
   for (const auto& [name, value] : quality.values) (*json)[name] = value;
-  (*json)["quasi_conformal_worst_triangle"] = quality.worst_triangle;
+  if (quality.worst_triangle != kNone) {
+    (*json)["quasi_conformal_worst_triangle"] = quality.worst_triangle;
+  }
 }
 
-void PutOverlap(const OverlapResult& overlap, Json* json) {
+void PutOverlap(const UvComplex& complex, const OverlapResult& overlap, Json* json) {
   (*json)["boundary_edges"] = overlap.num_boundary_edges;
   (*json)["boundary_loops"] = overlap.num_boundary_loops;
-  (*json)["boundary_crossings"] = overlap.num_crossings;
-  if (overlap.num_crossings > 0) {
-    (*json)["first_crossing_triangles"] = {overlap.first_crossing.first / 3,
-                                           overlap.first_crossing.second / 3};
-  }
   PutIds("wrapped_boundary_vertices", overlap.wrapped_boundary, json);
-  (*json)["nested_patches"] =
-      overlap.nested_patches.first == kNone
-          ? Json(nullptr)
-          : Json::array({overlap.nested_patches.first, overlap.nested_patches.second});
+  if (!overlap.overlap) return;
+  const auto [a, b] = *overlap.overlap;
+  (*json)["boundary_crosses"] = overlap.crosses;
+  (*json)["overlapping_triangles"] = {complex.FaceOf(a), complex.FaceOf(b)};
+  (*json)["overlapping_patches"] = {complex.patch[a / 3], complex.patch[b / 3]};
 }
 
 }  // namespace
@@ -79,22 +93,19 @@ std::string ToJson(const MapReport& report) {
   if (report.orientations) {
     PutIds("flipped_triangles", report.orientations->flipped, &json);
     PutIds("zero_area_triangles", report.orientations->zero_area, &json);
+    PutIds("folded_faces", report.orientations->folded, &json);
   }
   if (report.angles) PutAngles(*report.angles, &json);
-  if (report.seams) {
-    json["seam_edges"] = report.seams->num_edges;
-    json["largest_seam_length_difference"] = report.seams->largest_difference;
-  }
+  if (report.seams) PutSeams(*report.complex, *report.seams, &json);
   if (report.quality) PutQuality(*report.quality, &json);
-  json["patches"] = report.num_patches;
   if (report.disk) {
     json["boundary_circle_error"] = report.disk->largest_error;
     json["boundary_turns"] = report.disk->turns;
     PutIds("boundary_off_circle", report.disk->off_circle, &json);
     PutIds("boundary_out_of_order", report.disk->out_of_order, &json);
   }
-  if (report.overlap) PutOverlap(*report.overlap, &json);
-  return json.dump(2) + "\n";
+  if (report.overlap) PutOverlap(*report.complex, *report.overlap, &json);
+  return FiniteJson(std::move(json));
 }
 
 }  // namespace cirque::verify

@@ -5,28 +5,43 @@
 #include "cirque/core/text.h"
 #include "cirque/verify/findings.h"
 #include "cirque/verify/map_check.h"
+#include "cirque/verify/report_words.h"
 
 namespace cirque::verify {
 namespace {
 
-std::string Line(const std::string& name, const std::string& text) {
-  return fmt::format("{:<18}{}\n", name, text);
+std::string MatchLine(const MapReport& report) {
+  const Correspondence& faces = report.match.faces;
+  std::string text = fmt::format("{}, {}", report.num_faces,
+                                 faces.same_order ? "in IN's order" : "matched as a set");
+  if (!faces.pieces.empty()) {
+    text += fmt::format(", {} cut up in OUT", Count(faces.pieces.size(), "polygon"));
+  }
+  if (!faces.reversed.empty()) {
+    text += fmt::format(", {} reversed in OUT ({}): judged by IN's orientation",
+                        faces.reversed.size(), IdList(faces.reversed));
+  }
+  if (!report.turned.empty()) {
+    text += fmt::format(", {} against their neighbours in IN ({}) and judged turned",
+                        report.turned.size(), IdList(report.turned));
+  }
+  return Line(report.noun + "s", text);
 }
 
 std::string MeshLines(const MapReport& report) {
-  const Correspondence& match = report.correspondence;
-  std::string order = match.same_order ? "in IN's order" : "matched as a set";
-  if (!match.reversed.empty()) {
-    order +=
-        fmt::format(", {} reversed in OUT ({})", match.reversed.size(), IdList(match.reversed));
+  const MeshMatch& match = report.match;
+  std::string text =
+      MatchLine(report) +
+      Line("vertices",
+           fmt::format("{}{}, largest displacement {:.3g} of the bounding box", report.num_vertices,
+                       match.by_position ? ", matched by their positions" : "",
+                       match.displacement.largest));
+  if (match.scale != 1 || !match.shift.isZero(0)) {
+    text +=
+        Line("scaled", fmt::format("OUT is IN times {:.9g}, moved by ({:.9g}, {:.9g}, {:.9g})",
+                                   match.scale, match.shift.x(), match.shift.y(), match.shift.z()));
   }
-  if (!report.turned.empty()) {
-    order += fmt::format(", {} against their neighbours in OUT ({}) and judged turned",
-                         report.turned.size(), IdList(report.turned));
-  }
-  return Line("triangles", fmt::format("{}, {}", report.num_triangles, order)) +
-         Line("vertices", fmt::format("{}, largest displacement {:.3g} of the bounding box",
-                                      report.num_vertices, report.displacement.largest));
+  return text;
 }
 
 std::string ConeList(const std::vector<Cone>& cones) {
@@ -65,24 +80,22 @@ std::string QualityLines(const QualityFigures& quality) {
          Line("least conformal", fmt::format("triangle {}", quality.worst_triangle));
 }
 
-std::string OverlapLines(const OverlapResult& overlap, Index num_patches) {
-  const std::string many = overlap.num_crossings >= OverlapResult::kMaxCrossings ? "at least " : "";
-  std::string text = fmt::format(
-      "{}, {} of {}, {}{}", Count(num_patches, "patch"), Count(overlap.num_boundary_loops, "loop"),
-      Count(overlap.num_boundary_edges, "edge"), many, Count(overlap.num_crossings, "crossing"));
-  if (overlap.num_crossings > 0) {
-    text += fmt::format(" (first: triangles {} and {})", overlap.first_crossing.first / 3,
-                        overlap.first_crossing.second / 3);
+std::string SeamLines(const UvComplex& complex, const SeamAgreement& seams) {
+  std::string text = SeamStatement(complex);
+  if (complex.num_seam_edges > 0) {
+    text += fmt::format(", lengths differ by up to {:.3g}", seams.largest_difference);
   }
-  if (!overlap.wrapped_boundary.empty()) {
-    text +=
-        fmt::format(", more than 2 pi at {} ({})", Count(overlap.wrapped_boundary.size(), "vertex"),
-                    IdList(overlap.wrapped_boundary));
+  if (seams.worst_rotation != kNone) {
+    text += fmt::format(", rotations off by up to {:.3g} rad", seams.largest_rotation_gap);
   }
-  if (overlap.nested_patches.first != kNone) {
-    text += fmt::format(", patch {} on patch {}", overlap.nested_patches.second,
-                        overlap.nested_patches.first);
-  }
+  return Line("seams", text);
+}
+
+std::string OverlapLines(const UvComplex& complex, const OverlapResult& overlap) {
+  std::string text = fmt::format("{} of {}", Count(overlap.num_boundary_loops, "loop"),
+                                 Count(overlap.num_boundary_edges, "edge"));
+  const std::vector<std::string> errors = OverlapErrors(complex, overlap);
+  if (!errors.empty()) text += ": " + Join(errors, "; ");
   return Line("UV boundary", text) +
          Line("injective",
               overlap.overlaps() ? "no: locally injective, boundary overlaps itself" : "proven");
@@ -93,22 +106,22 @@ std::string OverlapLines(const OverlapResult& overlap, Index num_patches) {
 std::string ToText(const MapReport& report) {
   std::string text = MeshLines(report);
   if (report.orientations) {
-    text += Line("orientation", fmt::format("{} flipped, {} zero-area (exact)",
-                                            report.orientations->flipped.size(),
-                                            report.orientations->zero_area.size()));
+    std::string found =
+        fmt::format("{} flipped, {} zero-area (exact)", report.orientations->flipped.size(),
+                    report.orientations->zero_area.size());
+    if (const std::size_t folded = report.orientations->folded.size(); folded > 0) {
+      found += fmt::format(", {} with a border that is not simple", folded);
+    }
+    text += Line("orientation", found);
   }
   if (report.angles) text += AngleLines(*report.angles);
-  if (report.seams && report.seams->num_edges > 0) {
-    text += Line("seams", fmt::format("{}, lengths differ by up to {:.3g}",
-                                      Count(report.seams->num_edges, "edge"),
-                                      report.seams->largest_difference));
-  }
+  if (report.seams) text += SeamLines(*report.complex, *report.seams);
   if (report.disk) {
     text += Line("unit circle", fmt::format("{} of the boundary off by up to {:.3g}, {} turn",
                                             Count(report.disk->num_vertices, "vertex"),
                                             report.disk->largest_error, report.disk->turns));
   }
-  if (report.overlap) text += OverlapLines(*report.overlap, report.num_patches);
+  if (report.overlap) text += OverlapLines(*report.complex, *report.overlap);
   if (report.quality) text += QualityLines(*report.quality);
   return text + "verdict: " + report.Verdict() + "\n";
 }

@@ -10,6 +10,8 @@
 
 #include "cirque/core/text.h"
 #include "cirque/verify/findings.h"
+#include "cirque/verify/polygon_check.h"
+#include "cirque/verify/report_words.h"
 #include "cirque/verify/topology.h"
 
 namespace cirque::verify {
@@ -50,31 +52,21 @@ Status CheckTopology(const Surface& surface) {
       fmt::format("V - E + F = {}, not 2 as for one closed surface of genus 0", euler));
 }
 
-/// Matches the triangles; false when the rest cannot be judged.
-bool Match(const PolygonSoup& in, const PolygonSoup& out, const FanMesh& in_mesh,
-           const FanMesh& out_mesh, SphereReport* report) {
+/// Matches the faces; false when the rest cannot be judged.
+bool Match(const PolygonSoup& in, const PolygonSoup& out, SphereReport* report) {
   if (in.position.size() != out.position.size()) {
     report->errors.push_back(
         fmt::format("IN has {} and OUT {}; OUT must keep IN's vertices in their order",
                     Count(in.position.size(), "vertex"), out.position.size()));
     return false;
   }
-  report->correspondence = MatchTriangles(in_mesh, out_mesh);
-  const Correspondence& match = report->correspondence;
-  if (!match.missing.empty()) {
-    report->errors.push_back(fmt::format("{} of IN missing from OUT ({})",
-                                         Count(match.missing.size(), "triangle"),
-                                         IdList(match.missing)));
-  }
-  if (!match.extra.empty()) {
-    report->errors.push_back(fmt::format("{} of OUT not in IN (numbers of OUT: {})",
-                                         Count(match.extra.size(), "triangle"),
-                                         IdList(match.extra)));
-  }
-  return match.complete();
+  report->match = MatchByNumber(in, out);
+  report->errors = MatchErrors(in, out, report->match, 0);
+  return report->match.faces.complete();
 }
 
-void JudgePoints(const FanMesh& mesh, const std::vector<Vector3d>& sphere, double tolerance,
+/// Whether all points are on the sphere.
+bool JudgePoints(const TriangleMesh& mesh, const std::vector<Vector3d>& sphere, double tolerance,
                  SphereReport* report) {
   std::vector<bool> judged(mesh.num_vertices, false);
   for (const Index v : mesh.vertex) {
@@ -84,35 +76,40 @@ void JudgePoints(const FanMesh& mesh, const std::vector<Vector3d>& sphere, doubl
     report->radius_deviation = std::fmax(report->radius_deviation, deviation);
     if (!(deviation <= tolerance)) report->off_sphere.push_back(v);
   }
-  if (report->off_sphere.empty()) return;
+  if (report->off_sphere.empty()) return true;
   report->errors.push_back(fmt::format("{} not on the unit sphere ({}): by up to {:.3g}",
                                        Count(report->off_sphere.size(), "vertex"),
                                        IdList(report->off_sphere), report->radius_deviation));
+  return false;
 }
 
-void JudgeOrientation(const FanMesh& mesh, const std::vector<Vector3d>& sphere,
-                      SphereReport* report) {
-  for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); h += 3) {
-    const int sign = DeterminantSign(sphere[mesh.vertex[h]], sphere[mesh.vertex[h + 1]],
-                                     sphere[mesh.vertex[h + 2]]);
-    if (sign < 0) report->flipped.push_back(h / 3);
-    if (sign == 0) report->flat.push_back(h / 3);
-  }
-  for (const auto& [name, ids] :
-       {std::pair("flipped", &report->flipped), std::pair("without area", &report->flat)}) {
-    if (ids->empty()) continue;
-    report->errors.push_back(
-        fmt::format("{} {} ({})", Count(ids->size(), "triangle"), name, IdList(*ids)));
-  }
+/// The shape of a face as seen from the centre, and triangles that fill it where there are any.
+ImageOf ImageOnSphere(const std::vector<Vector3d>& sphere) {
+  return [&sphere](const std::vector<FaceCorner>& corners) {
+    const auto turn = [&](int i, int j, int k) {
+      return DeterminantSign(sphere[corners[i].vertex], sphere[corners[j].vertex],
+                             sphere[corners[k].vertex]);
+    };
+    const auto n = static_cast<int>(corners.size());
+    if (n == 3) {
+      const int sign = turn(0, 1, 2);
+      return std::pair(sign > 0   ? PolygonShape::kSimple
+                       : sign < 0 ? PolygonShape::kFlipped
+                                  : PolygonShape::kZeroArea,
+                       CutFan(3));
+    }
+    const std::vector<int> ears = CutEars(n, turn);
+    if (!ears.empty()) return std::pair(PolygonShape::kSimple, ears);
+    const bool flipped = !CutEars(n, [&](int i, int j, int k) { return -turn(i, j, k); }).empty();
+    return std::pair(flipped ? PolygonShape::kFlipped : PolygonShape::kFolded, CutFan(n));
+  };
 }
 
-/// `mesh`: OUT's triangles as OUT lists them, in IN's order.
-void JudgeMap(const FanMesh& mesh, const std::vector<Index>& twin, const PolygonSoup& in,
+void JudgeMap(const TriangleMesh& mesh, const std::vector<Index>& twin, const PolygonSoup& in,
               const PolygonSoup& out, const SphereCheckOptions& options, SphereReport* report) {
-  JudgePoints(mesh, out.position, options.radius_tolerance, report);
-  if (!report->valid()) return;
   report->measured = true;
-  JudgeOrientation(mesh, out.position, report);
+  const std::vector<std::string> turned = OrientationErrors(report->orientations, report->noun);
+  report->errors.insert(report->errors.end(), turned.begin(), turned.end());
   report->degree = CoveringDegree(mesh, out.position);
   if (!(std::abs(report->degree - 1) <= options.degree_tolerance)) {
     report->errors.push_back(
@@ -152,26 +149,29 @@ StatusOr<SphereReport> VerifySphereMap(const PolygonSoup& in, const PolygonSoup&
     return Status::InvalidInput(
         fmt::format("IN: vertex {} has a coordinate that is not finite", v));
   }
-  const StatusOr<FanMesh> in_mesh = FanTriangulate(in), out_mesh = FanTriangulate(out);
+  if (const Status s = CheckFaces(out); !s.ok()) return s.In("OUT");
+  StatusOr<TriangleMesh> in_mesh = FanTriangulate(in);
   if (!in_mesh.ok()) return in_mesh.status().In("IN");
-  if (!out_mesh.ok()) return out_mesh.status().In("OUT");
-  const StatusOr<Surface> surface = BuildSurface(*in_mesh);
+  const StatusOr<Surface> surface = BuildSurface(*std::move(in_mesh));
   if (!surface.ok()) return surface.status().In("IN");
   if (const Status s = CheckTopology(*surface); !s.ok()) return s.In("IN");
   SphereReport report;
-  report.num_triangles = in_mesh->num_triangles();
-  report.num_vertices = in_mesh->num_vertices;
-  if (!Match(in, out, *in_mesh, *out_mesh, &report)) return report;
-  const bool in_is_oriented = surface->turned.empty();
-  if (in_is_oriented && !report.correspondence.reversed.empty()) {
+  report.noun = FaceNoun(in);
+  report.num_faces = in.num_polygons();
+  report.num_vertices = surface->mesh.num_vertices;
+  if (!Match(in, out, &report)) return report;
+  const std::vector<Index>& reversed = report.match.faces.reversed;
+  if (surface->turned.empty() && !reversed.empty()) {
     report.errors.push_back(fmt::format("{} run the other way round than in IN ({})",
-                                        Count(report.correspondence.reversed.size(), "triangle"),
-                                        IdList(report.correspondence.reversed)));
+                                        Count(reversed.size(), report.noun), IdList(reversed)));
   }
-  const FanMesh mesh = Reorder(*out_mesh, report.correspondence);
-  const StatusOr<std::vector<Index>> twin = PairHalfedges(mesh);
+  if (!JudgePoints(surface->mesh, out.position, options.radius_tolerance, &report)) return report;
+  JudgedMesh judged =
+      BuildJudgedMesh(in, TurnedFaces(in, *surface), report.match, ImageOnSphere(out.position));
+  const StatusOr<std::vector<Index>> twin = PairHalfedges(judged.mesh);
   if (!twin.ok()) return twin.status().In("OUT");
-  JudgeMap(mesh, *twin, in, out, options, &report);
+  report.orientations = std::move(judged.orientations);
+  JudgeMap(judged.mesh, *twin, in, out, options, &report);
   return report;
 }
 

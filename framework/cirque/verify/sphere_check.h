@@ -7,7 +7,8 @@
 
 #include "cirque/core/status.h"
 #include "cirque/io/polygon_soup.h"
-#include "cirque/verify/correspondence.h"
+#include "cirque/verify/judged_mesh.h"
+#include "cirque/verify/mesh_match.h"
 #include "cirque/verify/topology.h"
 
 namespace cirque::verify {
@@ -25,20 +26,21 @@ struct SphereDistortion {
   double angle_mean = 0, angle_max = 0;  ///< [rad]: over all corners, not weighted
 };
 
-/// What was found. Triangles are IN's fan triangles, vertices IN's, numbered from 0.
+/// What was found. Faces and vertices are IN's, numbered from 0.
 struct SphereReport {
   std::vector<std::string> errors;  ///< why the map is invalid; empty for a valid one
-  Index num_triangles = 0, num_vertices = 0;
-  Correspondence correspondence;
-  bool measured = false;             ///< whether it came to what follows
-  double radius_deviation = 0;       ///< largest ||x| - 1|
-  std::vector<Index> off_sphere;     ///< vertices beyond the tolerance, or not finite
-  std::vector<Index> flipped, flat;  ///< triangles with det[a, b, c] < 0 and = 0, exactly
-  double degree = 0;                 ///< signed area / 4 pi
-  double delaunay_margin = 0;  ///< the smallest intersection angle of two circles of OUT [rad];
-                               ///< negative where IN's triangles are not Delaunay on the sphere
-  double centre_uniform = 0;   ///< |centre of mass| of the vertices that have a triangle
-  double centre_by_area = 0;   ///< the same weighted by a third of their triangles' area on IN
+  std::string noun = "triangle";    ///< what the faces are called: "face" where some are polygons
+  Index num_faces = 0, num_vertices = 0;
+  MeshMatch match;
+  bool measured = false;          ///< whether it came to what follows
+  double radius_deviation = 0;    ///< largest ||x| - 1|
+  std::vector<Index> off_sphere;  ///< vertices beyond the tolerance, or not finite
+  Orientations orientations;      ///< by the signs of det[a, b, c], exactly
+  double degree = 0;              ///< signed area / 4 pi
+  double delaunay_margin = 0;     ///< the smallest intersection angle of two circles of OUT [rad];
+                                  ///< negative where IN's triangles are not Delaunay on the sphere
+  double centre_uniform = 0;      ///< |centre of mass| of the vertices that have a triangle
+  double centre_by_area = 0;      ///< the same weighted by a third of their triangles' area on IN
   SphereDistortion distortion;
 
   bool valid() const { return errors.empty(); }
@@ -46,9 +48,11 @@ struct SphereReport {
 };
 
 /// Judges whether OUT's points are an injective map of the closed surface IN of genus 0 to the unit
-/// sphere that keeps the orientation: the same triangles, points on the sphere, every triangle
-/// positively oriented as OUT lists it (exactly), and all of them covering the sphere once. A
-/// status is returned when IN is no orientable manifold or has coordinates that are not finite.
+/// sphere that keeps the orientation: the same faces in the same direction, points on the sphere,
+/// every triangle positively oriented by IN's orientation (exactly) and every polygon filled by such
+/// triangles, and all of them covering the sphere once. Vertices correspond by their numbers, since
+/// OUT's positions are the map. A status is returned when IN is no orientable manifold or has
+/// coordinates that are not finite.
 StatusOr<SphereReport> VerifySphereMap(const PolygonSoup& in, const PolygonSoup& out,
                                        const SphereCheckOptions& options);
 
@@ -59,18 +63,19 @@ std::string ToText(const SphereReport& report);
 std::string ToJson(const SphereReport& report);
 
 /// Signed areas of the spherical triangles over 4 pi.
-double CoveringDegree(const FanMesh& mesh, const std::vector<Eigen::Vector3d>& sphere);
+double CoveringDegree(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& sphere);
 
 /// The smallest intersection angle of the circumcircles of two neighbours on the sphere [rad].
-double SphericalDelaunayMargin(const FanMesh& mesh, const std::vector<Index>& twin,
+double SphericalDelaunayMargin(const TriangleMesh& mesh, const std::vector<Index>& twin,
                                const std::vector<Eigen::Vector3d>& sphere);
 
 /// Length of the centre of mass, uniform or weighted by a third of the triangles' area on IN.
-double CentreUniform(const FanMesh& mesh, const std::vector<Eigen::Vector3d>& sphere);
-double CentreByArea(const FanMesh& mesh, const std::vector<Eigen::Vector3d>& position,
+double CentreUniform(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& sphere);
+double CentreByArea(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& position,
                     const std::vector<Eigen::Vector3d>& sphere);
 
-SphereDistortion MeasureOnSphere(const FanMesh& mesh, const std::vector<Eigen::Vector3d>& position,
+SphereDistortion MeasureOnSphere(const TriangleMesh& mesh,
+                                 const std::vector<Eigen::Vector3d>& position,
                                  const std::vector<Eigen::Vector3d>& sphere);
 
 }  // namespace cirque::verify

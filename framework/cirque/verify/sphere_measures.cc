@@ -33,7 +33,7 @@ Vector3d Inverted(const Vector3d& apex, const Vector3d& x) {
   return from / from.squaredNorm();
 }
 
-double TriangleArea(const FanMesh& mesh, const std::vector<Vector3d>& position, Index h) {
+double TriangleArea(const TriangleMesh& mesh, const std::vector<Vector3d>& position, Index h) {
   const Vector3d& a = position[mesh.vertex[h]];
   return 0.5 * (position[mesh.vertex[h + 1]] - a).cross(position[mesh.vertex[h + 2]] - a).norm();
 }
@@ -58,7 +58,7 @@ double QuasiConformal(const std::array<std::complex<double>, 2>& z,
 
 }  // namespace
 
-double CoveringDegree(const FanMesh& mesh, const std::vector<Vector3d>& sphere) {
+double CoveringDegree(const TriangleMesh& mesh, const std::vector<Vector3d>& sphere) {
   double sum = 0;
   for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); h += 3) {
     const Vector3d &a = sphere[mesh.vertex[h]], &b = sphere[mesh.vertex[h + 1]],
@@ -69,7 +69,7 @@ double CoveringDegree(const FanMesh& mesh, const std::vector<Vector3d>& sphere) 
   return sum / (2 * kPi);
 }
 
-double SphericalDelaunayMargin(const FanMesh& mesh, const std::vector<Index>& twin,
+double SphericalDelaunayMargin(const TriangleMesh& mesh, const std::vector<Index>& twin,
                                const std::vector<Vector3d>& sphere) {
   double margin = kPi;
   for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
@@ -78,8 +78,8 @@ double SphericalDelaunayMargin(const FanMesh& mesh, const std::vector<Index>& tw
     // With the edge's tail at infinity both circles become lines through its tip.
     const Vector3d& apex = sphere[mesh.Tail(h)];
     const Vector3d tip = Inverted(apex, sphere[mesh.Tip(h)]);
-    const Vector3d u = Inverted(apex, sphere[mesh.vertex[FanMesh::Prev(h)]]) - tip;
-    const Vector3d w = Inverted(apex, sphere[mesh.vertex[FanMesh::Prev(g)]]) - tip;
+    const Vector3d u = Inverted(apex, sphere[mesh.vertex[TriangleMesh::Prev(h)]]) - tip;
+    const Vector3d w = Inverted(apex, sphere[mesh.vertex[TriangleMesh::Prev(g)]]) - tip;
     double angle = std::atan2(apex.dot(u.cross(w)), u.dot(w));
     if (angle < 0) angle += 2 * kPi;
     margin = std::min(margin, kPi - angle);
@@ -87,13 +87,13 @@ double SphericalDelaunayMargin(const FanMesh& mesh, const std::vector<Index>& tw
   return margin;
 }
 
-double CentreUniform(const FanMesh& mesh, const std::vector<Vector3d>& sphere) {
+double CentreUniform(const TriangleMesh& mesh, const std::vector<Vector3d>& sphere) {
   std::vector<double> weight(sphere.size(), 0);
   for (const Index v : mesh.vertex) weight[v] = 1;
   return Norm(sphere, weight);
 }
 
-double CentreByArea(const FanMesh& mesh, const std::vector<Vector3d>& position,
+double CentreByArea(const TriangleMesh& mesh, const std::vector<Vector3d>& position,
                     const std::vector<Vector3d>& sphere) {
   std::vector<double> weight(sphere.size(), 0);
   for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); ++h) {
@@ -102,7 +102,7 @@ double CentreByArea(const FanMesh& mesh, const std::vector<Vector3d>& position,
   return Norm(sphere, weight);
 }
 
-SphereDistortion MeasureOnSphere(const FanMesh& mesh, const std::vector<Vector3d>& position,
+SphereDistortion MeasureOnSphere(const TriangleMesh& mesh, const std::vector<Vector3d>& position,
                                  const std::vector<Vector3d>& sphere) {
   double area = 0, image_area = 0;
   for (Index h = 0; h < static_cast<Index>(mesh.vertex.size()); h += 3) {

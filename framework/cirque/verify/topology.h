@@ -8,12 +8,16 @@
 
 namespace cirque::verify {
 
-/// The triangles of a mesh file, polygons cut into fans (0, i, i + 1). Halfedge h = 3 f + k runs
-/// from corner k of triangle f to corner k + 1 (mod 3).
-struct FanMesh {
+/// The faces of a mesh file, cut into triangles. Halfedge h = 3 f + k runs from corner k of triangle
+/// f to corner k + 1 (mod 3).
+struct TriangleMesh {
   Index num_vertices = 0;
   std::vector<Index> vertex;       ///< 3F: the vertex at corner h, where halfedge h begins
   std::vector<Index> soup_corner;  ///< 3F: the polygon corner it comes from
+  std::vector<Index> face;         ///< F: the face of the file that it is a part of
+  /// 3F: whether the halfedge lies inside its face. The other side of it does too: two faces may
+  /// have diagonals, or a diagonal and an edge, between the same vertices.
+  std::vector<char> diagonal;
 
   Index num_triangles() const { return static_cast<Index>(vertex.size() / 3); }
 
@@ -24,28 +28,43 @@ struct FanMesh {
 };
 
 /// Errors: a polygon of fewer than three corners, a corner whose vertex does not exist.
-StatusOr<FanMesh> FanTriangulate(const PolygonSoup& soup);
+Status CheckFaces(const PolygonSoup& soup);
+
+/// The same, and every polygon cut into the fan (0, i, i + 1). What is found on it may be said of
+/// how faces hang together; where a polygon lies takes triangles that stay inside it
+/// (polygon_check.h).
+StatusOr<TriangleMesh> FanTriangulate(const PolygonSoup& soup);
+
+/// A corner of a face or of a piece of one.
+struct FaceCorner {
+  Index vertex, soup_corner;
+  int place;  ///< among the corners of the face
+};
+
+/// Adds triangles, three numbers of `corners` each, as parts of a face that has as many corners in
+/// all. Only their edges from one corner of the face to the next are no diagonals.
+void AddTriangles(Index face, int num_corners, const std::vector<FaceCorner>& corners,
+                  const std::vector<int>& triangles, TriangleMesh* mesh);
 
 /// For every halfedge the one on the other side of its edge, in whichever direction it runs, or
-/// kNone at the boundary. Errors: a triangle with a repeated vertex, an edge of three triangles or
-/// more.
-StatusOr<std::vector<Index>> PairHalfedges(const FanMesh& mesh);
+/// kNone at the boundary. Errors: a face with a repeated vertex, an edge of three faces or more.
+StatusOr<std::vector<Index>> PairHalfedges(const TriangleMesh& mesh);
 
 /// Turns triangles (exchanging two corners) until neighbours agree, in every component as few as
 /// possible, and returns which. Error: a surface that cannot be oriented.
-StatusOr<std::vector<Index>> OrientConsistently(const std::vector<Index>& twin, FanMesh* mesh);
+StatusOr<std::vector<Index>> OrientConsistently(const std::vector<Index>& twin, TriangleMesh* mesh);
 
-/// Error: a vertex at which several fans of triangles meet. The mesh must be oriented.
-Status CheckOneFanPerVertex(const FanMesh& mesh, const std::vector<Index>& twin);
+/// Error: a vertex at which several fans of faces meet. The mesh must be oriented.
+Status CheckOneFanPerVertex(const TriangleMesh& mesh, const std::vector<Index>& twin);
 
 /// An oriented manifold triangle mesh.
 struct Surface {
-  FanMesh mesh;
+  TriangleMesh mesh;
   std::vector<Index> twin;
   std::vector<Index> turned;  ///< the triangles that had to be turned for it
 };
 
 /// All of the above.
-StatusOr<Surface> BuildSurface(FanMesh mesh);
+StatusOr<Surface> BuildSurface(TriangleMesh mesh);
 
 }  // namespace cirque::verify

@@ -3,20 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "cirque/verify/angle_check.h"
-#include "cirque/verify/uv_plane.h"
+#include "cirque/verify/uv_complex.h"
 
 namespace cirque::verify {
-
-/// How well the two sides of the seams agree.
-struct SeamAgreement {
-  Index num_edges = 0;
-  double largest_difference = kUnknown;  ///< relative, of the two lengths of one edge
-  Index worst_halfedge = kNone;
-};
-/// Two sides in one patch must have one length; sides in two patches one ratio, the same (the
-/// median) along all that the two patches have in common, since each patch may have its own scale.
-SeamAgreement CompareSeams(const UvComplex& complex);
 
 /// How the boundary of a map lies on the unit circle. With several loops: that of the outermost
 /// one, which encloses the largest area.
