@@ -122,7 +122,8 @@ int VerifyInfeasibility(const std::vector<std::string>& files) {
 /// an error left nothing to measure.
 Status Measure(const std::vector<MeasureFile>& files, const PolygonSoup& in, MapReport* report) {
   if (!report->complex) return Status();
-  const MapMeasures measures = MeasureComplex(*report->complex, in.position);
+  const bool injective = report->overlap && !report->overlap->overlaps();
+  const MapMeasures measures = MeasureComplex(*report->complex, in.position, injective);
   report->quality = ToQualityFigures(measures);
   if (files.empty()) return Status();
   return WriteMeasureFiles(files, in.position, report->complex->mesh().vertex, measures);

@@ -1,6 +1,7 @@
 #include "experiments/verify_map/measures.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -30,9 +31,26 @@ CornerAngles AnglesInSpace(const Triangulation& t, const std::vector<Eigen::Vect
   return angles;
 }
 
+/// The registered measures, of which that of overlaps need not look for any.
+Registry<DistortionMeasure> MeasuresWithoutOverlap() {
+  Registry<DistortionMeasure> measures("distortion measure", {});
+  for (const std::string& name : DistortionMeasures().Names()) {
+    DistortionMeasure measure = *DistortionMeasures().Find(name);
+    if (name == "overlap") {
+      measure.measure = [](const MappedFaces& faces) {
+        const double none = faces.num_faces() == 0 ? kUnknown : 0;
+        return Measurement{{}, {none, none}};
+      };
+    }
+    measures = measures.With(name, std::move(measure));
+  }
+  return measures;
+}
+
 }  // namespace
 
-MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Vector3d>& position) {
+MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Vector3d>& position,
+                           bool injective) {
   const Triangulation t = ToTriangulation(complex.surface);
   EdgeLengths lengths;
   lengths.value.resize(t.num_edges());
@@ -41,7 +59,8 @@ MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Ve
     lengths.value[e] = (position[t.Tip(h)] - position[t.Tail(h)]).stableNorm();
   }
   const CornerAngles angles = AnglesInSpace(t, position);
-  return MeasureMap(t, lengths, {complex.uv}, &angles);
+  return MeasureMap(t, lengths, {complex.uv}, &angles,
+                    injective ? MeasuresWithoutOverlap() : DistortionMeasures());
 }
 
 Index WorstTriangle(const MapMeasures& measures) {

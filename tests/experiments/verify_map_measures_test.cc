@@ -43,5 +43,18 @@ TEST(VerifyMapMeasures, TheWorstTriangleAndSeamsAreFound) {
               1e-14);
 }
 
+// What is not searched for where there is nothing to find is nothing, and all else stays.
+TEST(VerifyMapMeasures, OfAnInjectiveMapTheOverlapIsZeroWithoutASearch) {
+  const PolygonSoup in = Sheet(4);
+  const UvComplex complex = *Judge(in, WithVertexUv(in, Flattened(in))).complex;
+  const MapMeasures searched = MeasureComplex(complex, in.position);
+  const MapMeasures known = MeasureComplex(complex, in.position, true);
+  ASSERT_EQ(known.figures.size(), searched.figures.size());
+  for (std::size_t i = 0; i < known.figures.size(); ++i) {
+    EXPECT_EQ(known.figures[i].name, searched.figures[i].name);
+    EXPECT_NEAR(known.figures[i].value, searched.figures[i].value, 1e-15) << known.figures[i].name;
+  }
+}
+
 }  // namespace
 }  // namespace cirque::verify

@@ -110,22 +110,19 @@ class PlyParser {
           property.is_list ? ParseList(element, property) : ParseScalar(element, property);
       if (!status.ok()) return status;
     }
-    return soup_.num_polygons() > num_faces ? AddFaceTexture() : Status();
+    if (soup_.num_polygons() > num_faces) AddFaceTexture();
+    return Status();
   }
 
-  /// Of the face that was read last.
-  Status AddFaceTexture() {
+  /// Of the face that was read last. A list of another length is something else.
+  void AddFaceTexture() {
     const auto num_corners =
         static_cast<std::size_t>(soup_.first_corner.back() - soup_.first_corner.end()[-2]);
-    if (!face_texture_.empty() && face_texture_.size() != 2 * num_corners) {
-      return body_->Error(fmt::format("texcoord has {} numbers for {} corners; two each are needed",
-                                      face_texture_.size(), num_corners));
-    }
-    corner_has_texture_.insert(corner_has_texture_.end(), num_corners, !face_texture_.empty());
-    for (std::size_t i = 0; i < face_texture_.size(); i += 2) {
+    const bool has_texture = face_texture_.size() == 2 * num_corners;
+    corner_has_texture_.insert(corner_has_texture_.end(), num_corners, has_texture);
+    for (std::size_t i = 0; has_texture && i < face_texture_.size(); i += 2) {
       corner_texture_.emplace_back(face_texture_[i], face_texture_[i + 1]);
     }
-    return Status();
   }
 
   /// Corners have the texture coordinates that their faces list, where any face does, else those of
