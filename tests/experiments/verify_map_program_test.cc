@@ -64,7 +64,7 @@ TEST_F(VerifyMapProgramTest, MapsInPlyAreJudged) {
          1, "INVALID: 1 flipped triangle (1)");
   Expect(in_ + " " +
              Write("none.ply", head + "property list uchar float texcoord\nend_header\n" + points +
-                                   "3 0 2 1 4 0 0 1 0\n3 0 1 3 0\n"),
+                                   "3 0 2 1 4 0 0 1 0\n3 0 1 3 6 0 0 1 1 0 1\n"),
          1, "1 triangle without texture coordinates");
 }
 
