@@ -1,6 +1,7 @@
 // Independent checker of UV maps and of infeasibility certificates.
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,9 @@ DEFINE_string(
     "are others is invalid");
 DEFINE_int32(require_seam_rotations, 0,
              "a seam whose sides are turned against each other by no multiple of 2 pi / N is "
-             "invalid (4: quadrangulations, seamless grids)");
-DEFINE_int32(max_patches, -1, "a map torn into more patches than this is invalid");
-DEFINE_int32(max_seam_edges, -1, "a map with more seam edges than this is invalid");
+             "invalid (4: seamless grids); 0: any will do");
+DEFINE_int32(max_patches, -1, "a map of more patches than this is invalid; -1: any number will do");
+DEFINE_int32(max_seam_edges, -1, "a map with more seam edges than this is invalid; -1: any number");
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
 DECLARE_bool(help);
 
@@ -75,7 +76,8 @@ const char kUsage[] =
     "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input,\n"
     "3 a certificate that holds for targets of its own only, not for those asked about.";
 
-bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+/// The limit that a flag sets; -1 is none.
+std::optional<Index> Limit(int flag) { return flag == -1 ? std::nullopt : std::optional(flag); }
 
 int Complain(const Status& status) {
   fmt::print(stderr, "verify_map: {}\n", status.message());
@@ -148,8 +150,8 @@ StatusOr<VerifyOptions> OptionsOfFlags(const PolygonSoup& in) {
   options.seams.tolerance = FLAGS_seam_tolerance;
   options.seams.rigid = FLAGS_require_rigid_seams;
   options.seams.rotation_order = FLAGS_require_seam_rotations;
-  if (IsGiven("max_patches")) options.seams.max_patches = FLAGS_max_patches;
-  if (IsGiven("max_seam_edges")) options.seams.max_edges = FLAGS_max_seam_edges;
+  options.seams.max_patches = Limit(FLAGS_max_patches);
+  options.seams.max_edges = Limit(FLAGS_max_seam_edges);
   if (!FLAGS_require_seams.empty()) {
     auto edges = ReadEdges(FLAGS_require_seams, static_cast<Index>(in.position.size()));
     if (!edges.ok()) return edges.status();

@@ -42,7 +42,7 @@ TEST_F(VerifyMapProgramTest, PatchesAndSeamsAreStatedAndBound) {
   Expect("--max_patches=2 --max_seam_edges=1" + files, 0, "valid");
   Expect("--max_patches=1" + files, 1, "INVALID: 2 patches, 1 allowed");
   Expect("--max_seam_edges=0" + files, 1, "INVALID: 1 seam edge, 0 allowed");
-  Expect("--max_patches=-1" + files, 2, "max_patches = -1: a number >= 0 is needed");
+  Expect("--max_patches=-2" + files, 2, "max_patches = -2: a number >= 0 is needed");
   Expect("--require_seams=" + Write("seams", "1 3\n") + files, 0, "valid");
   Expect("--require_seams=" + Write("none", "# none\n") + files, 1, "should not be there: 0-2");
   Expect("--require_seams=" + Write("bad", "1 9\n") + files, 2, "bad:1: no vertex 9");
@@ -93,6 +93,21 @@ TEST_F(VerifyMapProgramTest, MapsAreHeldToConesAsCirclePatternsTakesThem) {
   const std::string files = " " + in_ + " " + torn_;
   Expect("--targets=" + Write("right", "2 0.5\n1 0.5\n") + files, 0, "valid");
   Expect("--targets=" + Write("wrong", "2 0.75\n") + files, 1, "wrong angle sum (1)");
+}
+
+// What circle_patterns maps, polygons among it, verify_map takes for the same surface.
+TEST_F(VerifyMapProgramTest, SurfacesOfPolygonsAreJudgedAsCirclePatternsMapsThem) {
+  const std::string double_sided =
+      "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 3 2\nf 1 4 3\n";
+  const std::string box =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  for (const std::string& content : {double_sided, box}) {
+    const std::string in = Write("polygons.obj", content), out = folder_.Path("map.obj");
+    const ProgramResult mapped = RunProgram("circle_patterns -io " + in + " -oo " + out);
+    EXPECT_EQ(mapped.exit_status, 0) << mapped.output;
+    Expect(in + " " + out, 0, "verdict: valid (injective), 1 patch");
+  }
 }
 
 }  // namespace

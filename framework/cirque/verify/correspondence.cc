@@ -144,9 +144,14 @@ class Matcher {
       if (missing < 0 || !IsNamed(out_, g)) return false;
     }
     if (missing != 0) return false;
-    // With the border's other side all edges have another side.
     std::vector<NamedEdge> border, edges, other_sides;
     AppendEdges(in_, f, false, &border);
+    std::set<Index> names;
+    for (const NamedEdge& edge : border) names.insert(edge.first);
+    for (const Index g : faces_of_out) {
+      if (!HasOnly(g, names)) return false;
+    }
+    // With the border's other side all edges have another side.
     for (const Index g : faces_of_out) AppendEdges(out_, g, backwards, &edges);
     for (const auto& [tail, tip] : border) edges.emplace_back(tip, tail);
     for (const auto& [tail, tip] : edges) other_sides.emplace_back(tip, tail);
