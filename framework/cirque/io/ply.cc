@@ -28,7 +28,10 @@ class PlyParser {
     for (const PlyElement& element : header_.elements) {
       // Elements without properties take no room in the file, however many the header promises.
       const std::int64_t count = element.properties.empty() ? 0 : element.count;
-      for (std::int64_t i = 0; status.ok() && i < count; ++i) status = ParseElement(element, i);
+      for (std::int64_t i = 0; status.ok() && i < count; ++i) {
+        status = ParseElement(element, i);
+        if (corner_has_texture_.size() < soup_.corner.size()) AddFaceTexture();
+      }
     }
     if (!status.ok()) return status;
     if (header_.encoding == PlyEncoding::kText && body_->NextElement()) {
@@ -104,13 +107,11 @@ class PlyParser {
       vertex_texture_.emplace_back(0, 0);
     }
     face_texture_.clear();
-    const Index num_faces = soup_.num_polygons();
     for (const PlyProperty& property : element.properties) {
       const Status status =
           property.is_list ? ParseList(element, property) : ParseScalar(element, property);
       if (!status.ok()) return status;
     }
-    if (soup_.num_polygons() > num_faces) AddFaceTexture();
     return Status();
   }
 
