@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
+
+#include "cirque/io/json_input.h"
 
 namespace cirque {
 namespace {
@@ -15,9 +18,13 @@ std::string PlainText(const nlohmann::json& value) {
 
 }  // namespace
 
-bool IsRecord(const nlohmann::json& line) {
-  return line.is_object() && line.contains("key") && line["key"].is_string() &&
-         line.contains("outcome") && line["outcome"].is_string();
+std::optional<nlohmann::json> ParseRecord(std::string_view line) {
+  std::optional<nlohmann::json> record = ParseJson(line);
+  const auto is_text = [&](const char* key) {
+    return record->contains(key) && record->at(key).is_string();
+  };
+  const bool is_whole = record && record->is_object() && is_text("key") && is_text("outcome");
+  return is_whole ? std::move(record) : std::nullopt;
 }
 
 std::vector<std::string> RecordFiles(const std::string& folder) {

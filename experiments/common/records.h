@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -10,8 +12,8 @@ namespace cirque {
 // The records of an experiment as its files hold them, one JSON object a line: what run_experiment
 // writes and experiment_report reads.
 
-/// Whether a line is a record: it has a key and an outcome.
-bool IsRecord(const nlohmann::json& line);
+/// The record of a line; nothing where it is torn or none: an object with texts `key` and `outcome`.
+std::optional<nlohmann::json> ParseRecord(std::string_view line);
 
 /// The files of records in a folder: results.jsonl, if there is one, then those of shards by name.
 std::vector<std::string> RecordFiles(const std::string& folder);

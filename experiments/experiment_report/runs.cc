@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -69,9 +70,8 @@ class Collector {
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line);) {
       if (line.empty()) continue;
-      json record = json::parse(line, nullptr, false);
-      if (IsRecord(record)) {
-        Keep(MakeRun(std::move(record)));
+      if (std::optional<json> record = ParseRecord(line)) {
+        Keep(MakeRun(*std::move(record)));
       } else {
         ++results_.skipped_lines;
       }

@@ -30,6 +30,10 @@ const std::vector<Study>& Studies() {
        "Maps rough patches as they are and renumbered, turned in space and scaled, and counts the\n"
        "maps that differ by more than a similarity.",
        "experiments/studies/invariance.cc", RunInvariance},
+      {"random_surfaces", "[FLAGS]",
+       "Maps random small surfaces, made to be hard, with random options, and has every map and\n"
+       "every proof that there is none judged by the verifier: results/random_surfaces.md.",
+       "experiments/studies/random_surfaces.cc", RunRandomSurfaces},
       {"reference_factorization", "[FLAGS] MESH ...",
        "Times one analysis and factorization of each mesh's V x V cotangent Laplacian, beside\n"
        "which the times of other programs and machines can be read. --output writes the mesh,\n"

@@ -43,6 +43,9 @@ Status RunDiskAccuracy(const StudyCall& call);
 /// Maps surfaces, and again renumbered, turned and scaled.
 Status RunInvariance(const StudyCall& call);
 
+/// Maps random small surfaces and judges what comes out.
+Status RunRandomSurfaces(const StudyCall& call);
+
 /// Times the factorization that every linear conformal map needs.
 Status RunReferenceFactorization(const StudyCall& call);
 

@@ -11,6 +11,7 @@ TEST(Text, NearestWordFindsMisspellingsAndNothingElse) {
   EXPECT_EQ(NearestWord("ceres_linesearch", known), "ceres_line_search");
   EXPECT_EQ(NearestWord("interior", known), "");
   EXPECT_EQ(NearestWord("x", {}), "");
+  EXPECT_EQ(NearestWord(std::string(100000000, 'n'), known), "");
 }
 
 TEST(Text, UnknownNameNamesKindHintAndKnown) {

@@ -15,13 +15,16 @@ using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST(Records, HaveAKeyAndAnOutcome) {
-  EXPECT_TRUE(IsRecord({{"key", "k"}, {"outcome", "ok"}}));
+TEST(Records, AreWholeLinesWithAKeyAndAnOutcome) {
+  const json record = {{"key", "k"}, {"outcome", "ok"}};
+  EXPECT_EQ(ParseRecord(record.dump()), record);
   for (const json& other : {json(), json(3), json::array({"key", "outcome"}), json{{"key", "k"}},
                             json{{"outcome", "ok"}}, json{{"key", 1}, {"outcome", "ok"}},
                             json{{"key", "k"}, {"outcome", nullptr}}}) {
-    EXPECT_FALSE(IsRecord(other)) << other;
+    EXPECT_FALSE(ParseRecord(other.dump())) << other;
   }
+  EXPECT_FALSE(ParseRecord(record.dump().substr(1)));
+  EXPECT_FALSE(ParseRecord(record.dump().substr(0, 12)));
 }
 
 TEST(Records, LieInOneFileForAllAndOneForEachShard) {

@@ -40,11 +40,12 @@ const std::vector<BadConfig>& BadConfigs() {
       {"OnlyComment", "# nothing\n", ":1:1: the file is empty; see --help_config"},
       {"NotAMap", "- a\n", ":1:1: the file must be 'key: value' lines"},
       {"TwoDocuments", "a: 1\n---\nb: 2\n",
-       ":1:1: the file must hold one YAML document, without '---'"},
+       ":2:1: the file must hold one YAML document, without '---'"},
       {"Syntax", "question: a: b\n", ":1:12: not valid YAML: illegal map value"},
       {"Unclosed", "question: [1\nmeshes: 2\n",
        ":2:7: not valid YAML: end of sequence flow not found"},
-      {"DeepNesting", std::string(100000, '['), ":1:1: not valid YAML: bad file"},
+      {"DeepNesting", std::string(100000, '['),
+       ":1:11: lists and maps nested deeper than 20 levels"},
       {"UnknownAnchor", "question: *nope\n",
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
@@ -344,7 +345,8 @@ TEST(RunExperimentConfig, ASlipThatMakesMillionsOfRunsIsRefusedAtOnce) {
       "a.yaml",
       Config("{generator: bumpy_terrain, triangles: " + many + ", seed: " + many + "}", kMethod));
   EXPECT_THAT(LoadConfig(path).status().message(),
-              HasSubstr(":3:5: this entry makes 1000000 combinations; at most 100000 are allowed"));
+              HasSubstr(":3:5: with this entry 'meshes' makes 1000000 combinations; at most 100000 "
+                        "are allowed"));
 }
 
 TEST(RunExperimentConfig, PatternsAndPathsStartAtTheFolderThatHoldsConfigs) {

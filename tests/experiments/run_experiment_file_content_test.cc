@@ -66,6 +66,16 @@ TEST_F(RunExperimentArchive, BrokenArchivesAreErrors) {
               ::testing::HasSubstr("/no.tgz: cannot be read as an archive: "));
 }
 
+TEST_F(RunExperimentArchive, AMemberThatSwellsIsRefusedBeforeItFillsTheMemory) {
+  const std::string bomb = folder_.Path("bomb.tar.gz");
+  Pack(bomb, {{"small.off", "meow"}, {"zeros.off", std::string(65 << 20, '0')}});
+  EXPECT_EQ(*ReadArchiveMember(bomb, "small.off"), "meow");
+  EXPECT_EQ(ReadArchiveMember(bomb, "zeros.off").status().message(),
+            bomb +
+                ": its member 'zeros.off' has more than 64 MiB, over 200 times the archive's own "
+                "size; if that is meant, unpack it and give it as 'file'");
+}
+
 TEST_F(RunExperimentArchive, MembersAreTakenOutOnceUntilTheArchiveChanges) {
   const std::string cache = folder_.path() + "/cache";
   const StatusOr<LocatedMesh> first = LocateMesh(mesh_, cache);

@@ -151,6 +151,24 @@ TEST_F(RunExperimentTest, LinesThatAreNoRecordsAreCounted) {
   EXPECT_EQ(summary.records.size(), 6u);
 }
 
+TEST_F(RunExperimentTest, LinesNestedDeeplyAreNoRecords) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  folder_.Write("out/results.jsonl", R"({"key":"a","outcome":"ok","values":)" + deep + "}\n");
+  EXPECT_EQ(Run().skipped_lines, 1);
+}
+
+TEST_F(RunExperimentTest, RecordsOfAnythingElseThanWeWriteDoNoHarm) {
+  const std::vector<Record> records = {
+      {{"key", "b"}, {"outcome", "ok"}, {"values", 3}, {"measures", {1, "a~/b"}}, {"limits", 1}},
+      {{"key", "c"}, {"outcome", "time_limit"}, {"limits", {{"seconds", "long"}}}}};
+  PlannedRun run;
+  run.limits.seconds = 3;
+  EXPECT_TRUE(IsFinished(records[0], run));
+  EXPECT_FALSE(IsFinished(records[1], run));  // at a limit that nobody knows: made again
+  EXPECT_THAT(ToCsv(records), HasSubstr("time_limit"));
+  EXPECT_THAT(ToTable(records), HasSubstr("time_limit"));
+}
+
 TEST_F(RunExperimentTest, StopsBeforeTheNextRunAndGoesOnFromThere) {
   RunnerOptions options;
   options.stop = [this] { return fake_.calls == 2; };

@@ -77,6 +77,26 @@ TEST(TextScanner, NumbersAreReadWholeOrNotAtAll) {
   EXPECT_EQ(scanner.Number(), std::nullopt);
 }
 
+TEST(TextScanner, NumbersThatMicrosoftWroteAreNotFinite) {
+  TextScanner scanner("f",
+                      "1.#INF -1.#INF000 -1.#IND00 1.#QNAN +1.#R#2\nv 1.#IND 7 1.#0\n2.#INF\n1.#");
+  ASSERT_TRUE(scanner.NextLine());
+  EXPECT_EQ(scanner.Number(), INFINITY);
+  EXPECT_EQ(scanner.Number(), -INFINITY);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(scanner.Number().value_or(0)));
+  EXPECT_TRUE(scanner.AtLineEnd());
+  ASSERT_TRUE(scanner.NextLine());
+  scanner.Word();
+  EXPECT_EQ(scanner.Word(), "1.#IND");
+  EXPECT_EQ(scanner.Number(), 7);
+  EXPECT_EQ(scanner.Number(), 1);  // and a comment
+  ASSERT_TRUE(scanner.NextLine());
+  EXPECT_EQ(scanner.Place(), "f:3");
+  EXPECT_EQ(scanner.Number(), 2);
+  ASSERT_TRUE(scanner.NextLine());
+  EXPECT_EQ(scanner.Number(), 1);
+}
+
 TEST(TextScanner, MessagesNameFileLineAndWord) {
   TextScanner scanner("dir/f", "\nword\n");
   ASSERT_TRUE(scanner.NextLine());

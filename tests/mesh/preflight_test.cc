@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cirque/io/io.h"
 
 #include "tests/mesh/meshes.h"
 
@@ -258,6 +262,29 @@ TEST(Preflight, RefusesZeroAreasAtEveryScale) {
   PreflightReport report;
   Refused(MakeSoup({{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}, {{0, 1, 2}}), &report);
   EXPECT_THAT(report.zero_area_faces, ElementsAre(0));
+}
+
+TEST(Preflight, SaysWhereTheFirstVertexThatIsNotFiniteStandsInItsFile) {
+  const std::map<std::string, std::pair<std::string, std::string>> files = {
+      {"a.obj",
+       {"v 0 0 0\n\nv 0 0 -1.#IND00\nv inf 0 0\nf 1 2 3\n", "2, 3 (the first at a.obj:3)"}},
+      {"a.off", {"OFF 3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", "2 (the first at a.off:3)"}},
+      {"a.stl",
+       {"solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e999 0\nendloop\n"
+        "endfacet\nendsolid\n",
+        "3 (the first at a.stl:6)"}},
+      {"a.ply",
+       {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 1.#QNAN\n0 1 0\n3 0 1 2\n",
+        "2 (the first at a.ply:11)"}}};
+  for (const auto& [path, content] : files) {
+    const auto& [text, place] = content;
+    const StatusOr<PolygonSoup> soup = ParseMesh(path, text);
+    ASSERT_TRUE(soup.ok()) << soup.status().message();
+    PreflightReport report;
+    EXPECT_THAT(Refused(*soup, &report), HasSubstr("not finite: " + place)) << path;
+  }
 }
 
 TEST(Preflight, NamesAllProblemsAtOnce) {

@@ -206,6 +206,8 @@ TEST(VerifyMapInfeasibility, CertificatesAreReadAndTheirFaultsNamed) {
   EXPECT_THAT(message(R"({"infeasibility": {}})"), HasSubstr("outcome: nothing instead of"));
   EXPECT_THAT(message(R"({"outcome": "infeasible"})"), HasSubstr("infeasibility: an object"));
   EXPECT_EQ(message("{ not json"), "not a JSON object");
+  EXPECT_EQ(message(json(std::string(100000, '[') + std::string(100000, ']'))),
+            "not a JSON object");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "experiments/run_experiment/config/entries.h"
 #include "experiments/run_experiment/config/file_content.h"
 #include "experiments/run_experiment/config/schema.h"
+#include "experiments/run_experiment/config/yaml_document.h"
 
 namespace cirque {
 namespace {
@@ -30,37 +31,25 @@ std::string RootOf(const std::string& path) {
   return folder.string();
 }
 
-/// The one document of the file, or nothing after reporting why.
-std::optional<YAML::Node> ParseYaml(const std::string& text, Diagnostics* problems) {
-  try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() == 1 && !documents[0].IsNull()) return documents[0];
-    problems->Add({}, documents.size() > 1 ? "the file must hold one YAML document, without '---'"
-                                           : "the file is empty; see --help_config");
-  } catch (const YAML::Exception& error) {
-    problems->Add(PlaceOf(error.mark), "not valid YAML: " + error.msg);
-  }
-  return std::nullopt;
-}
-
-/// Counts combinations before anything is expanded, so that a slip cannot fill the memory.
+/// Counts the entries' combinations before anything is expanded, so that a slip cannot fill the
+/// memory.
 bool IsExpandable(const YAML::Node& document, Diagnostics* problems) {
-  bool expandable = true;
   for (const char* list : {"meshes", "methods"}) {
     const YAML::Node entries = document[list];
     if (!entries || !entries.IsSequence()) continue;
+    double count = 0;
     for (const YAML::Node& entry : entries) {
       if (!entry.IsMap()) continue;
-      const double count = CountCombinations(AxesOf(entry, ConfigSchema(), list));
-      if (count > kMaxRuns) {
-        expandable = false;
-        problems->Add(PlaceOf(entry), fmt::format("this entry makes {} combinations; at most {} "
-                                                  "are allowed",
-                                                  count, kMaxRuns));
-      }
+      const double seeds = entry["generator"] ? ItemsOf(document["seeds"]).size() : 1;
+      count += std::max(seeds, 1.0) * CountCombinations(AxesOf(entry, ConfigSchema(), list));
+      if (count <= kMaxRuns) continue;
+      problems->Add(PlaceOf(entry), fmt::format("with this entry '{}' makes {} combinations; at "
+                                                "most {} are allowed",
+                                                list, count, kMaxRuns));
+      return false;
     }
   }
-  return expandable;
+  return true;
 }
 
 /// The list `seeds`, checked where it stands.
@@ -126,15 +115,13 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
 
 }  // namespace
 
-StatusOr<ExperimentConfig> LoadConfig(const std::string& path) {
-  const StatusOr<std::string> text = ReadWholeFile(path);
-  if (!text.ok()) return text.status();
+StatusOr<ExperimentConfig> ParseConfig(const std::string& path, const std::string& text) {
   ExperimentConfig config;
   config.path = path;
   config.name = fs::path(path).stem().string();
-  config.hash = HashOf(*text);
-  Diagnostics problems(path, *text);
-  if (const std::optional<YAML::Node> document = ParseYaml(*text, &problems)) {
+  config.hash = HashOf(text);
+  Diagnostics problems(path, text);
+  if (const std::optional<YAML::Node> document = ParseYaml(text, &problems)) {
     config.renamed = UseNewWords(*document, ConfigSchema(), problems);
     Validate(*document, ConfigSchema(), &problems);
     if (document->IsMap() && IsExpandable(*document, &problems)) {
@@ -143,6 +130,11 @@ StatusOr<ExperimentConfig> LoadConfig(const std::string& path) {
   }
   if (!problems.empty()) return Status::InvalidInput(problems.Text());
   return config;
+}
+
+StatusOr<ExperimentConfig> LoadConfig(const std::string& path) {
+  const StatusOr<std::string> text = ReadWholeFile(path);
+  return text.ok() ? ParseConfig(path, *text) : text.status();
 }
 
 }  // namespace cirque

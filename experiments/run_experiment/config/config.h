@@ -30,6 +30,9 @@ struct ExperimentConfig {
 /// "file:line:column: ..." with the source line; nothing is written.
 StatusOr<ExperimentConfig> LoadConfig(const std::string& path);
 
+/// The same from the file's text; `path` says where it lies.
+StatusOr<ExperimentConfig> ParseConfig(const std::string& path, const std::string& text);
+
 /// Takes to the runs what a config says of them all: `include` and `exclude`, `time_limit` and
 /// `memory_limit`, `keep_maps`, `reference`, `measures`. A pattern that names no run is a problem,
 /// unless `some_skipped`: it may have meant runs on meshes that do not exist here.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -11,6 +12,9 @@
 
 namespace cirque {
 namespace {
+
+constexpr std::size_t kMostProblems = 50;      // more are counted
+constexpr std::size_t kMostBeforeCaret = 200;  // bytes of a source line, and as many behind
 
 /// Blanks that take the room of `text` on a terminal: tabs stay, a multi-byte character takes one.
 std::string BlanksFor(std::string_view text) {
@@ -48,7 +52,11 @@ Diagnostics::Diagnostics(std::string path, const std::string& text) : path_(std:
 }
 
 void Diagnostics::Add(Place place, std::string message) {
-  problems_.push_back({place, std::move(message)});
+  if (problems_.size() == kMostProblems) {
+    ++num_more_;
+  } else {
+    problems_.push_back({place, std::move(message)});
+  }
 }
 
 std::string Diagnostics::Text() const {
@@ -61,6 +69,7 @@ std::string Diagnostics::Text() const {
     text +=
         fmt::format("{}: {}\n{}", Locate(problem.place), problem.message, Excerpt(problem.place));
   }
+  if (num_more_ > 0) text += fmt::format("{}: and {} more problems\n", path_, num_more_);
   return text;
 }
 
@@ -70,10 +79,12 @@ std::string Diagnostics::Locate(Place place) const {
 
 std::string Diagnostics::Excerpt(Place place) const {
   if (place.line > static_cast<int>(lines_.size())) return {};
-  const std::string& line = lines_[place.line - 1];
-  return fmt::format("  {}\n  {}^\n", line,
-                     BlanksFor(std::string_view(line).substr(
-                         0, std::min<std::size_t>(line.size(), place.column - 1))));
+  std::string_view line = lines_[place.line - 1];
+  std::size_t caret = std::min<std::size_t>(line.size(), place.column - 1);
+  const std::size_t left_out = caret > kMostBeforeCaret ? caret - kMostBeforeCaret : 0;
+  line = line.substr(left_out, 2 * kMostBeforeCaret);
+  caret -= left_out;
+  return fmt::format("  {}\n  {}^\n", line, BlanksFor(line.substr(0, caret)));
 }
 
 std::optional<long long> ParseInteger(const std::string& text) {
@@ -92,15 +103,16 @@ std::optional<bool> ParseBoolean(const std::string& text) {
 }
 
 std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
-  if (!value) return {};
-  if (value.IsScalar()) return {value};
+  if (value && value.IsScalar()) return {value};
+  if (!value || !value.IsSequence()) return {};
   return {value.begin(), value.end()};
 }
 
 std::vector<std::string> DistinctItems(const YAML::Node& value, Diagnostics* problems) {
   std::vector<std::string> texts;
+  std::set<std::string> seen;
   for (const YAML::Node& item : ItemsOf(value)) {
-    if (std::find(texts.begin(), texts.end(), item.Scalar()) != texts.end()) {
+    if (!seen.insert(item.Scalar()).second) {
       problems->Add(PlaceOf(item), fmt::format("'{}' is listed twice", item.Scalar()));
       continue;
     }

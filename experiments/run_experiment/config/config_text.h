@@ -16,7 +16,8 @@ struct Place {
 Place PlaceOf(const YAML::Mark& mark);
 Place PlaceOf(const YAML::Node& node);
 
-/// Collects the problems of one text file, so that its author sees all of them at once.
+/// Collects the problems of one text file, so that its author sees all of them at once, or the first
+/// fifty found.
 class Diagnostics {
  public:
   Diagnostics(std::string path, const std::string& text);
@@ -41,9 +42,10 @@ class Diagnostics {
   std::string path_;
   std::vector<std::string> lines_;
   std::vector<Problem> problems_;
+  int num_more_ = 0;  ///< than are kept
 };
 
-/// One value or a list of them; nothing where the key is not given.
+/// One value or a list of them; nothing where the key is not given, or has a map.
 std::vector<YAML::Node> ItemsOf(const YAML::Node& value);
 
 /// Their texts. One that stands there twice is a problem.

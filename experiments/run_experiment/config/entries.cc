@@ -57,9 +57,8 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
 }
 
 std::vector<std::string> ValuesOf(const YAML::Node& value) {
-  if (value.IsScalar()) return {value.Scalar()};
   std::vector<std::string> values;
-  for (const YAML::Node& item : value) values.push_back(item.Scalar());
+  for (const YAML::Node& item : ItemsOf(value)) values.push_back(item.Scalar());
   return values;
 }
 

@@ -3,7 +3,9 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +23,9 @@ namespace cirque {
 namespace {
 
 constexpr std::size_t kBlockSize = 1 << 16;
+/// A mesh that takes more than this, and more than so many times its archive, is a trap.
+constexpr std::uintmax_t kHarmlessSize = 64 << 20, kMostGrowth = 200;
+constexpr std::size_t kMostMembers = 1000000;
 
 struct FreeArchive {
   void operator()(::archive* handle) const { archive_read_free(handle); }
@@ -55,6 +60,10 @@ Status Seek(const std::string& path, const std::string& member, ::archive* handl
     if (name == nullptr) continue;
     if (name == member) return Status();
     known.push_back(name);
+    if (known.size() == kMostMembers) {
+      return Status::InvalidInput(
+          fmt::format("{} has no member '{}' among its first {}", path, member, kMostMembers));
+    }
   }
   if (code != ARCHIVE_EOF) return Failure(path, handle);
   const std::string nearest = NearestWord(member, known);
@@ -65,15 +74,33 @@ Status Seek(const std::string& path, const std::string& member, ::archive* handl
 
 }  // namespace
 
+namespace {
+
+/// The most bytes that a member of the archive may have.
+std::uintmax_t MostContent(const std::string& archive) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(archive, error);
+  return error ? kHarmlessSize : std::max(kHarmlessSize, size * kMostGrowth);
+}
+
+}  // namespace
+
 StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member) {
   StatusOr<ArchiveHandle> handle = Open(archive);
   if (!handle.ok()) return handle.status();
   if (Status status = Seek(archive, member, handle->get()); !status.ok()) return status;
+  const std::uintmax_t most = MostContent(archive);
   std::string content;
   std::vector<char> block(kBlockSize);
   la_ssize_t size = 0;
   while ((size = archive_read_data(handle->get(), block.data(), block.size())) > 0) {
     content.append(block.data(), static_cast<std::size_t>(size));
+    if (content.size() > most) {
+      return Status::InvalidInput(fmt::format(
+          "{}: its member '{}' has more than {} MiB, over {} times the archive's own size; if that "
+          "is meant, unpack it and give it as 'file'",
+          archive, member, most >> 20, kMostGrowth));
+    }
   }
   if (size < 0) return Failure(archive, handle->get());
   return content;

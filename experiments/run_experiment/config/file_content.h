@@ -9,7 +9,8 @@ namespace cirque {
 
 /// The content of a file inside an archive (tar, zip, 7z, ..., compressed or not), or of a file
 /// that is only compressed, whose one member is called "data". Errors name the archive and, for an
-/// unknown member, the nearest name in it.
+/// unknown member, the nearest name in it; a member of more than 64 MiB that is also more than 200
+/// times as large as the archive is refused as a trap.
 StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member);
 
 /// Whether the archive has the member, without reading its content; the same errors.

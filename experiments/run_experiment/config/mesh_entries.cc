@@ -40,14 +40,14 @@ std::string Absolute(const std::string& root, const std::string& path) {
 /// The files that match, sorted; a path without wildcards matches itself if it exists.
 std::vector<std::string> MatchFiles(const std::string& pattern) {
   std::vector<std::string> files;
+  std::error_code error;  // of links that lead in a circle
   glob_t matches{};
   if (glob(pattern.c_str(), 0, nullptr, &matches) == 0) {
     for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
-      if (fs::is_regular_file(matches.gl_pathv[i])) files.emplace_back(matches.gl_pathv[i]);
+      if (fs::is_regular_file(matches.gl_pathv[i], error)) files.emplace_back(matches.gl_pathv[i]);
     }
   }
   globfree(&matches);
-  std::error_code error;
   if (files.empty() && fs::is_regular_file(pattern, error)) files.push_back(pattern);
   return files;
 }

@@ -8,6 +8,9 @@
 namespace cirque {
 namespace {
 
+constexpr const char* kPatterns[] = {"include", "exclude", "keep_maps"};
+constexpr std::size_t kMostPatterns = 1000;  // each is held against every run
+
 double NumberOrZero(const YAML::Node& value) {
   return value ? ParseNumber(value.Scalar()).value_or(0) : 0;
 }
@@ -23,9 +26,17 @@ bool IsNamed(const std::vector<YAML::Node>& items, const PlannedRun& run) {
                      [&](const YAML::Node& item) { return Names(item, run); });
 }
 
+void CheckLengths(const YAML::Node& document, Diagnostics* problems) {
+  for (const char* key : kPatterns) {
+    if (ItemsOf(document[key]).size() <= kMostPatterns) continue;
+    problems->Add(PlaceOf(document[key]),
+                  fmt::format("'{}' lists more than {} patterns", key, kMostPatterns));
+  }
+}
+
 void CheckPatterns(const YAML::Node& document, const std::vector<PlannedRun>& runs,
                    Diagnostics* problems) {
-  for (const char* key : {"include", "exclude", "keep_maps"}) {
+  for (const char* key : kPatterns) {
     for (const YAML::Node& item : ItemsOf(document[key])) {
       if (item.Scalar() == "false" ||
           std::any_of(runs.begin(), runs.end(),
@@ -43,7 +54,8 @@ void CheckPatterns(const YAML::Node& document, const std::vector<PlannedRun>& ru
 void ApplyRunSettings(const YAML::Node& document, bool some_skipped, Diagnostics* problems,
                       ExperimentConfig* config) {
   std::vector<PlannedRun>& runs = config->runs;
-  if (!some_skipped) CheckPatterns(document, runs, problems);
+  CheckLengths(document, problems);
+  if (problems->empty() && !some_skipped) CheckPatterns(document, runs, problems);
   if (!problems->empty()) return;
   const auto include = ItemsOf(document["include"]), exclude = ItemsOf(document["exclude"]);
   std::erase_if(runs, [&](const PlannedRun& run) {

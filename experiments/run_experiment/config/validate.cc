@@ -198,7 +198,8 @@ class Renamer {
       YAML::Node key = pair.first;
       for (const SchemaField* field : FieldsOf(schema_, path)) {
         if (Contains(field->former, key.Scalar())) Rename(field->Key(), &key);
-        if (field->Key() == key.Scalar()) RenameValues(pair.second, *field);
+        if (field->Key() != key.Scalar()) continue;
+        for (const YAML::Node& value : ItemsOf(pair.second)) RenameValue(value, *field);
       }
     }
   }
@@ -218,10 +219,8 @@ class Renamer {
     *word = now;
   }
 
-  void RenameValues(const YAML::Node& value, const SchemaField& field) {
-    if (value.IsSequence()) {
-      for (const YAML::Node& item : value) RenameValues(item, field);
-    } else if (field.kind == FieldKind::kSections) {
+  void RenameValue(const YAML::Node& value, const SchemaField& field) {
+    if (field.kind == FieldKind::kSections) {
       RenameIn(value, field.path);
     } else if (value.IsScalar() && field.former_choices.contains(value.Scalar())) {
       YAML::Node word = value;

@@ -85,6 +85,20 @@ std::vector<std::string> ShownColumn(const std::vector<Record>& records, const C
   return texts;
 }
 
+std::string PointerTo(const std::string& group, const std::string& name) {
+  return (nlohmann::json::json_pointer("/" + group) / name).to_string();
+}
+
+/// The measures that the run was asked for; none where the file has something else.
+std::vector<std::string> MeasuresOf(const Record& record) {
+  std::vector<std::string> names;
+  if (!record.contains("measures")) return names;
+  for (const nlohmann::json& name : record["measures"]) {
+    if (name.is_string()) names.push_back(name);
+  }
+  return names;
+}
+
 /// The fixed columns and those of the measures that the runs were asked for.
 std::vector<Column> TableColumns(const std::vector<Record>& records) {
   std::vector<Column> columns = FixedColumns();
@@ -93,8 +107,8 @@ std::vector<Column> TableColumns(const std::vector<Record>& records) {
     if (!column.heading.empty()) shown.insert(column.pointer);
   }
   for (const Record& record : records) {
-    for (const std::string name : record.value("measures", nlohmann::json::array())) {
-      const std::string pointer = "/values/" + name;
+    for (const std::string& name : MeasuresOf(record)) {
+      const std::string pointer = PointerTo("values", name);
       if (shown.insert(pointer).second) columns.push_back({name, pointer, name, "{:.4g}"});
     }
   }
@@ -114,11 +128,11 @@ std::vector<Column> ColumnsFor(const std::vector<Record>& records) {
   for (const std::string group : {"values", "seconds"}) {
     std::set<std::string> names;
     for (const Record& record : records) {
-      const nlohmann::json measured = record.value(group, nlohmann::json::object());
-      for (const auto& [name, value] : measured.items()) names.insert(name);
+      if (!record.contains(group) || !record[group].is_object()) continue;
+      for (const auto& [name, value] : record[group].items()) names.insert(name);
     }
     for (const std::string& name : names) {
-      const std::string pointer = (nlohmann::json::json_pointer("/" + group) / name).to_string();
+      const std::string pointer = PointerTo(group, name);
       if (!pointers.insert(pointer).second) continue;
       columns.push_back({group == "seconds" ? "seconds_" + name : name, pointer, "", ""});
     }

@@ -8,6 +8,7 @@
 #include "cirque/core/status.h"
 #include "cirque/pipeline/certificate.h"
 
+#include "experiments/common/records.h"
 #include "experiments/run_experiment/config/file_content.h"
 
 namespace cirque {
@@ -46,8 +47,7 @@ nlohmann::json LimitsJson(const RunLimits& limits) {
 
 /// Whether a limit is higher than the one that the record tells of; 0 is none.
 bool IsRaised(const Record& record, const char* name, double limit) {
-  const auto limits = record.value("limits", nlohmann::json::object());
-  return limit == 0 || limit > limits.value(name, 0.0);
+  return limit == 0 || !(limit <= NumberAt(record, std::string("/limits/") + name));
 }
 
 StatusOr<std::string> HashOfFile(const std::string& path) {

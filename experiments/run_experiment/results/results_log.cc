@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -116,9 +117,8 @@ Status ResultsLog::Read(const std::string& path) {
   std::istringstream stream(*text);
   for (std::string line; std::getline(stream, line);) {
     if (line.empty()) continue;
-    Record record = Record::parse(line, nullptr, false);
-    if (IsRecord(record)) {
-      Keep(std::move(record));
+    if (std::optional<Record> record = ParseRecord(line)) {
+      Keep(*std::move(record));
     } else {
       ++skipped_lines_;
     }

@@ -1,5 +1,8 @@
 #include <exception>
+#include <optional>
 #include <stdexcept>
+
+#include "cirque/io/json_input.h"
 
 #include "experiments/run_experiment/run/ready_run.h"
 
@@ -74,7 +77,9 @@ std::string PackRun(const ReadyRun& ready) {
 
 StatusOr<ReadyRun> UnpackRun(const std::string& bytes) {
   try {
-    const nlohmann::json json = nlohmann::json::from_cbor(bytes);
+    const std::optional<nlohmann::json> parsed = ParseCbor(bytes);
+    if (!parsed) throw std::invalid_argument("malformed CBOR");
+    const nlohmann::json& json = *parsed;
     return ReadyRun{json.at("key"),
                     RunFromJson(json.at("run")),
                     {json.at("path"), json.at("hash")},

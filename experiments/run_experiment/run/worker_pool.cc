@@ -16,6 +16,7 @@
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
+#include "experiments/common/records.h"
 
 namespace cirque {
 namespace {
@@ -59,12 +60,12 @@ Record CrashRecord(const ReadyRun& ready, const ChildProcess& process) {
 }
 
 Record RecordOf(const ReadyRun& ready, const ChildProcess& process) {
-  Record record = Record::parse(process.Output(), nullptr, false);
-  const bool is_whole = process.Succeeded() && record.is_object() && record.contains("outcome") &&
-                        record.contains("key") && record["key"] == ready.key;
+  const std::optional<Record> parsed = ParseRecord(process.Output());
+  const bool is_whole = process.Succeeded() && parsed && parsed->at("key") == ready.key;
   if (!is_whole) return CrashRecord(ready, process);
+  const Record& record = *parsed;
   // The last moments of a run can pass between two looks at it.
-  const double mib = record.value("peak_memory_mib", 0.0);
+  const double mib = NumberAt(record, "/peak_memory_mib");
   if (!ExceededLimit({0, ready.run.limits.memory_mib}, 0, mib)) return record;
   return LimitRecord(ready, kMemoryLimit, process.Seconds(), mib);
 }

@@ -1,6 +1,7 @@
 #include "cirque/core/text.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -29,13 +30,19 @@ int EditDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string NearestWord(std::string_view word, const std::vector<std::string>& known) {
-  const auto distance = [&](const std::string& k) { return EditDistance(word, k); };
-  const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return distance(a) < distance(b);
-  });
-  if (best == known.end()) return {};
-  const int tolerated = std::max<int>(2, static_cast<int>(word.size()) / 3);
-  return distance(*best) <= tolerated ? *best : std::string();
+  int least = std::max<int>(2, static_cast<int>(word.size()) / 3) + 1;
+  std::string nearest;
+  for (const std::string& candidate : known) {
+    // The lengths alone say that much, which spares long words the table of distances.
+    const auto at_least =
+        static_cast<long long>(candidate.size()) - static_cast<long long>(word.size());
+    if (std::abs(at_least) >= least) continue;
+    const int distance = EditDistance(word, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = candidate;
+  }
+  return nearest;
 }
 
 std::string UnknownName(std::string_view kind, std::string_view name,

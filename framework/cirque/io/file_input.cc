@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -58,6 +59,27 @@ bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 /// from_chars knows no leading plus sign; printf("%+g") writes one.
 const char* SkipPlus(const char* first, const char* last) {
   return last - first > 1 && first[0] == '+' && first[1] != '-' ? first + 1 : first;
+}
+
+constexpr std::string_view kMicrosoftMark = "1.#";
+
+/// What Microsoft's printf wrote until 2015 for numbers that are not finite, where `text` begins with
+/// one: 1.#INF, -1.#IND00, 1.#QNAN, cut and rounded as 1.#R; else empty.
+std::string_view MicrosoftWord(std::string_view text) {
+  const auto is_in_it = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  std::size_t end = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  if (!text.substr(end).starts_with(kMicrosoftMark)) return {};
+  end += kMicrosoftMark.size();
+  if (end == text.size() || text[end] < 'A' || text[end] > 'Z') return {};
+  while (end < text.size() && is_in_it(text[end])) ++end;
+  return text.substr(0, end);
+}
+
+double MicrosoftValue(std::string_view word) {
+  const bool infinite = word.find("#INF") != std::string_view::npos;
+  const double value =
+      infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+  return word.starts_with('-') ? -value : value;
 }
 
 }  // namespace
@@ -124,9 +146,14 @@ bool TextScanner::NextLine() {
   return position_ != end_;
 }
 
+std::string_view TextScanner::Rest() const {
+  return {position_, static_cast<std::size_t>(end_ - position_)};
+}
+
 std::string_view TextScanner::Word() {
   if (AtLineEnd()) return {};
   const char* first = position_;
+  position_ += MicrosoftWord(Rest()).size();
   while (!EndsWord(position_)) ++position_;
   return {first, static_cast<std::size_t>(position_ - first)};
 }
@@ -137,6 +164,13 @@ std::optional<double> TextScanner::Number() {
   double value = 0;
   const auto [last, error] = std::from_chars(first, end_, value);
   if (error == std::errc::invalid_argument || !EndsWord(last)) return std::nullopt;
+  if (last != end_ && *last == '#') {
+    const std::string_view word = MicrosoftWord(Rest());
+    if (!word.empty()) {
+      position_ += word.size();
+      return MicrosoftValue(word);
+    }
+  }
   // Beyond the range of doubles: strtod gives the 0 or infinity that the digits round to.
   if (error != std::errc()) value = std::strtod(std::string(first, last).c_str(), nullptr);
   position_ = last;
@@ -163,12 +197,14 @@ Status TextScanner::Expected(std::string_view expected) {
 }
 
 Status TextScanner::Error(std::string_view message) const {
-  return Status::InvalidInput(fmt::format("{}:{}: {}", path_, line_, message));
+  return Status::InvalidInput(fmt::format("{}: {}", Place(), message));
 }
+
+std::string TextScanner::Place() const { return fmt::format("{}:{}", path_, line_); }
 
 std::string_view TextScanner::BytesAfterLine() {
   SkipLine();
-  return {position_, static_cast<std::size_t>(end_ - position_)};
+  return Rest();
 }
 
 std::string Printable(std::string_view word) {

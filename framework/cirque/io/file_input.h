@@ -32,7 +32,8 @@ T ReadBytes(std::string_view bytes, ByteOrder order) {
 
 /// Walks through the text of a mesh file line by line and word by word, and knows the line it is
 /// on, so that every error can start with "path:line: ". Words are separated by blanks; '#' starts
-/// a comment; lines end with LF, CRLF or CR. The text must outlive the scanner.
+/// a comment (but not in 1.#IND, see Number); lines end with LF, CRLF or CR. The text must outlive
+/// the scanner.
 class TextScanner {
  public:
   enum class Continuation { kNever, kBackslash };
@@ -51,8 +52,8 @@ class TextScanner {
   /// Whether no word is left on the line.
   bool AtLineEnd();
 
-  /// The next word as a number ("nan" and "inf" are numbers). When it is none, the scanner stays
-  /// in front of it.
+  /// The next word as a number ("nan" and "inf" are numbers, and so are 1.#IND, 1.#INF and the like,
+  /// which older programs for Windows write). When it is none, the scanner stays in front of it.
   std::optional<double> Number();
 
   /// The next word as a whole number that fits 64 bits, as above.
@@ -67,6 +68,9 @@ class TextScanner {
   /// "path:line: MESSAGE".
   Status Error(std::string_view message) const;
 
+  /// "path:line".
+  std::string Place() const;
+
   int line() const { return line_; }
   /// What follows the current line, as raw bytes (the body of a binary PLY file).
   std::string_view BytesAfterLine();
@@ -78,6 +82,7 @@ class TextScanner {
   const char* EndOfNewline(const char* c) const;
   const char* EndOfContinuation(const char* c) const;
   bool EndsWord(const char* c) const;
+  std::string_view Rest() const;
 
   std::string path_;
   const char* position_;

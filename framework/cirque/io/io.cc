@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "cirque/core/atomic_file.h"
 #include "cirque/core/registry.h"
 #include "cirque/core/text.h"
 #include "cirque/io/file_input.h"
@@ -67,11 +66,17 @@ std::string MeshExtension(const std::string& path) {
 }
 
 StatusOr<PolygonSoup> ReadMesh(const std::string& path) {
+  // A name of no format is refused before a large file is read.
   const StatusOr<MeshFormat> format = MeshFormats().Find(MeshExtension(path));
   if (!format.ok()) return format.status().In(path);
   const StatusOr<std::string> content = ReadFileContent(path);
-  if (!content.ok()) return content.status();
-  StatusOr<PolygonSoup> soup = format->parse(path, *content);
+  return content.ok() ? ParseMesh(path, *content) : content.status();
+}
+
+StatusOr<PolygonSoup> ParseMesh(const std::string& path, std::string_view content) {
+  const StatusOr<MeshFormat> format = MeshFormats().Find(MeshExtension(path));
+  if (!format.ok()) return format.status().In(path);
+  StatusOr<PolygonSoup> soup = format->parse(path, content);
   constexpr std::size_t kMost = std::numeric_limits<Index>::max();
   if (soup.ok() && (soup->corner.size() > kMost || soup->position.size() > kMost)) {
     return Status::InvalidInput(
@@ -80,11 +85,16 @@ StatusOr<PolygonSoup> ReadMesh(const std::string& path) {
   return soup;
 }
 
-Status WriteMesh(const std::string& path, const PolygonSoup& mesh) {
+StatusOr<TextPieces> FormatMesh(const std::string& path, const PolygonSoup& mesh) {
   const StatusOr<MeshFormat> format = MeshFormats().Find(MeshExtension(path));
   if (!format.ok()) return format.status().In(path);
   const Status status = CheckHolds(*format, mesh);
-  return status.ok() ? WriteFileAtomically(path, format->format(mesh)) : status.In(path);
+  return status.ok() ? StatusOr<TextPieces>(format->format(mesh)) : status.In(path);
+}
+
+Status WriteMesh(const std::string& path, const PolygonSoup& mesh) {
+  const StatusOr<TextPieces> content = FormatMesh(path, mesh);
+  return content.ok() ? WriteFileAtomically(path, *content) : content.status();
 }
 
 std::vector<std::string> ReadableExtensions() { return MeshFormats().Names(); }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cirque/core/atomic_file.h"
 #include "cirque/core/status.h"
 #include "cirque/io/polygon_soup.h"
 
@@ -24,6 +26,12 @@ StatusOr<PolygonSoup> ReadMesh(const std::string& path);
 /// What follows the last dot of the file's name, in lower case: the format of a mesh. Devices and
 /// streams without one (/dev/stdin, /dev/stdout) hold an obj.
 std::string MeshExtension(const std::string& path);
+
+/// The same from the file's content; `path` gives the format and serves the messages.
+StatusOr<PolygonSoup> ParseMesh(const std::string& path, std::string_view content);
+
+/// The content of a file of that name, coordinates in shortest round-trip digits. Refused as below.
+StatusOr<TextPieces> FormatMesh(const std::string& path, const PolygonSoup& mesh);
 
 /// Writes a mesh by its file name's extension, atomically, coordinates in shortest round-trip
 /// digits. Refuses coordinates that are not finite, and texture coordinates where the format is not

@@ -51,6 +51,7 @@ class ObjParser {
       coordinate = *number;
     }
     soup_.position.push_back(point);
+    if (!point.allFinite() && soup_.not_finite_at.empty()) soup_.not_finite_at = scanner_.Place();
     return Status();
   }
 

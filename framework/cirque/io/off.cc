@@ -63,6 +63,7 @@ class OffParser {
       coordinate = *number;
     }
     soup_.position.push_back(point);
+    if (!point.allFinite() && soup_.not_finite_at.empty()) soup_.not_finite_at = scanner_.Place();
     return Status();
   }
 

@@ -112,6 +112,8 @@ class PlyParser {
           property.is_list ? ParseList(element, property) : ParseScalar(element, property);
       if (!status.ok()) return status;
     }
+    const bool is_finite = element.name != "vertex" || soup_.position.back().allFinite();
+    if (!is_finite && soup_.not_finite_at.empty()) soup_.not_finite_at = body_->Place();
     return Status();
   }
 

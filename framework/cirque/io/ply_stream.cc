@@ -113,7 +113,7 @@ class TextBody final : public PlyBody {
   bool NextElement() override { return scanner_.NextLine(); }
   std::optional<double> Number(PlyType) override { return scanner_.Number(); }
   Status Missing(std::string_view what) override { return scanner_.Expected(what); }
-  Status Error(std::string_view message) const override { return scanner_.Error(message); }
+  std::string Place() const override { return scanner_.Place(); }
 
  private:
   TextScanner scanner_;
@@ -152,9 +152,8 @@ class BinaryBody final : public PlyBody {
     return Error(fmt::format("expected {}, got the end of the file; is it cut off?", what));
   }
 
-  Status Error(std::string_view message) const override {
-    return Status::InvalidInput(
-        fmt::format("{}: byte {} after the header: {}", path_, at_, message));
+  std::string Place() const override {
+    return fmt::format("{}: byte {} after the header", path_, at_);
   }
 
  private:
@@ -173,6 +172,10 @@ class BinaryBody final : public PlyBody {
 };
 
 }  // namespace
+
+Status PlyBody::Error(std::string_view message) const {
+  return Status::InvalidInput(fmt::format("{}: {}", Place(), message));
+}
 
 std::unique_ptr<PlyBody> MakePlyBody(PlyEncoding encoding, const std::string& path,
                                      TextScanner scanner) {

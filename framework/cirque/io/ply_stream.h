@@ -50,8 +50,11 @@ class PlyBody {
   /// Why Number() had nothing, when it was asked for `what`.
   virtual Status Missing(std::string_view what) = 0;
 
-  /// "path:line: MESSAGE", "path: byte N: MESSAGE".
-  virtual Status Error(std::string_view message) const = 0;
+  /// "path:line", "path: byte N after the header".
+  virtual std::string Place() const = 0;
+
+  /// "PLACE: MESSAGE".
+  Status Error(std::string_view message) const;
 };
 
 /// The body behind the header that the scanner has just read. `path` serves the messages; the

@@ -26,6 +26,8 @@ struct PolygonSoup {
   std::vector<Eigen::Vector2d> texture;  ///< texture coordinates; empty: the file has none
   /// C: per corner its texture coordinate or kNone; empty without texture.
   std::vector<Index> corner_texture;
+  /// Where the first vertex that is not finite stands, "path:line" or the like; else empty.
+  std::string not_finite_at;
 
   Index num_polygons() const { return static_cast<Index>(first_corner.size()) - 1; }
 };

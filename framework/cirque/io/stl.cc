@@ -57,7 +57,9 @@ class StlTextParser {
       const Status status = ParseSolid();
       if (!status.ok()) return status;
     }
-    return Weld(corners_);
+    PolygonSoup soup = Weld(corners_);
+    soup.not_finite_at = not_finite_at_;
+    return soup;
   }
 
  private:
@@ -91,6 +93,7 @@ class StlTextParser {
       if (!number) return scanner_.Expected("three coordinates, 'vertex x y z'");
       coordinate = *number;
     }
+    if (!corner.allFinite() && not_finite_at_.empty()) not_finite_at_ = scanner_.Place();
     return Status();
   }
 
@@ -114,6 +117,7 @@ class StlTextParser {
 
   TextScanner scanner_;
   std::vector<Eigen::Vector3d> corners_;
+  std::string not_finite_at_;
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ std::vector<bool> UsedVertices(const PolygonSoup& soup) {
 
 void InspectVertices(const PolygonSoup& soup, PreflightReport* report) {
   const Index num_vertices = static_cast<Index>(soup.position.size());
+  report->non_finite_at = soup.not_finite_at;
   const std::vector<bool> used = UsedVertices(soup);
   const std::vector<Index> first = FirstOfEqualPoints(soup.position);
   for (Index v = 0; v < num_vertices; ++v) {

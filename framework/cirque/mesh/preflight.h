@@ -16,6 +16,7 @@ namespace cirque {
 struct PreflightReport {
   Index num_vertices = 0, num_polygons = 0, num_triangles = 0, num_edges = 0;
   std::vector<Index> non_finite_vertices;
+  std::string non_finite_at;                 ///< where the first stands in its file; empty: unknown
   std::vector<Index> isolated_vertices;      ///< of no face; set aside by the repair
   std::vector<Index> duplicate_vertices;     ///< where an earlier one lies; legal, left apart
   std::vector<Index> repeated_vertex_faces;  ///< left out of all that follows

@@ -55,8 +55,10 @@ std::vector<std::string> VertexAndFaceProblems(const PreflightReport& report) {
     problems.push_back("the mesh has no faces; give a file that lists triangles or polygons");
   }
   if (const auto& ids = report.non_finite_vertices; !ids.empty()) {
-    problems.push_back(fmt::format("{} with coordinates that are not finite: {}; correct them",
-                                   Vertices(ids.size()), Ids(ids)));
+    const std::string& at = report.non_finite_at;
+    problems.push_back(fmt::format("{} with coordinates that are not finite: {}{}; correct them",
+                                   Vertices(ids.size()), Ids(ids),
+                                   at.empty() ? "" : " (the first at " + at + ")"));
   }
   if (const auto& ids = report.repeated_vertex_faces; !ids.empty()) {
     problems.push_back(fmt::format("{} with the same vertex twice: {}; remove or correct them",

@@ -1,11 +1,13 @@
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cirque/io/json_input.h"
 #include "cirque/verify/infeasibility_check.h"
 
 namespace cirque::verify {
@@ -49,8 +51,9 @@ Status ReadArray(const Json& object, const std::string& key, std::vector<T>* val
 }  // namespace
 
 StatusOr<InfeasibilityCertificate> ParseInfeasibilityCertificate(const std::string& json) {
-  const Json root = Json::parse(json, nullptr, /*allow_exceptions=*/false);
-  if (root.is_discarded() || !root.is_object()) return Status::InvalidInput("not a JSON object");
+  const std::optional<Json> parsed = ParseJson(json);
+  if (!parsed || !parsed->is_object()) return Status::InvalidInput("not a JSON object");
+  const Json& root = *parsed;
   const auto outcome = root.find("outcome");
   if (outcome == root.end() || *outcome != "infeasible") {
     return Status::InvalidInput(

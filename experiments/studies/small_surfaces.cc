@@ -1,0 +1,289 @@
+#include "experiments/studies/small_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glog/logging.h>
+
+#include "cirque/cones/registry.h"
+#include "cirque/generators/generators.h"
+
+namespace cirque {
+
+double Dice::Power(double least_exponent, double most_exponent) {
+  return std::pow(10, Uniform(least_exponent, most_exponent));
+}
+
+namespace {
+
+void AddTriangle(Index a, Index b, Index c, PolygonSoup* soup) {
+  CHECK_EQ(AddPolygon({a, b, c}, soup), "");
+}
+
+/// A quadrilateral, split along either diagonal.
+void AddQuadrilateral(Index a, Index b, Index c, Index d, Dice* dice, PolygonSoup* soup) {
+  if (dice->Chance(0.5)) {
+    std::swap(a, b);
+    std::swap(b, c);
+    std::swap(c, d);
+  }
+  AddTriangle(a, b, c, soup);
+  AddTriangle(a, c, d, soup);
+}
+
+/// A grid of `columns` x `rows` squares, its vertices off their places; around: its first column is
+/// its last.
+PolygonSoup Grid(int columns, int rows, bool around, bool over, Dice* dice) {
+  const int width = around ? columns : columns + 1, height = over ? rows : rows + 1;
+  const double jitter = dice->Uniform(0, 0.45), relief = dice->Power(-2, 0.5);
+  PolygonSoup soup;
+  const auto noise = [&] { return dice->Uniform(-1, 1); };
+  for (int v = 0; v < width * height; ++v) {
+    soup.position.emplace_back(v % width + jitter * noise(), v / width + jitter * noise(),
+                               relief * noise());
+  }
+  const auto vertex = [&](int x, int y) { return (y % height) * width + x % width; };
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      AddQuadrilateral(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1), dice,
+                       &soup);
+    }
+  }
+  return soup;
+}
+
+PolygonSoup Patch(Dice* dice) {
+  return Grid(dice->Between(1, 7), dice->Between(1, 7), false, false, dice);
+}
+
+/// A vertex almost on one of its neighbours, or on the line to it.
+PolygonSoup Needle(Dice* dice) {
+  PolygonSoup soup = Patch(dice);
+  const int p = dice->Below(soup.num_polygons()), k = dice->Below(3);
+  const Eigen::Vector3d& from = soup.position[soup.corner[3 * p + k]];
+  const Eigen::Vector3d& to = soup.position[soup.corner[3 * p + (k + 1) % 3]];
+  const double left = dice->Power(-10, -1);
+  Eigen::Vector3d& moved = soup.position[soup.corner[3 * p + (k + 2) % 3]];
+  const Eigen::Vector3d place = dice->Chance(0.5) ? to : Eigen::Vector3d(0.5 * (from + to));
+  moved = place + left * (moved - place);
+  return soup;
+}
+
+/// Triangles about one vertex, all around it or not, their lengths over orders of magnitude.
+PolygonSoup Fan(Dice* dice) {
+  const int n = dice->Between(3, 60);
+  const bool closed = dice->Chance(0.6);
+  const double spread = dice->Uniform(0, 3), height = dice->Power(-3, 2);
+  PolygonSoup soup;
+  soup.position.emplace_back(0, 0, height);
+  std::vector<double> angle(n);
+  for (double& a : angle) a = dice->Uniform(0, closed ? 2 * kPi : 6);
+  std::sort(angle.begin(), angle.end());
+  for (const double a : angle) {
+    const double radius = dice->Power(-spread, 0);
+    soup.position.emplace_back(radius * std::cos(a), radius * std::sin(a), 0.1 * dice->Below(3));
+  }
+  for (int i = 1; i < n; ++i) AddTriangle(0, i, i + 1, &soup);
+  if (closed) AddTriangle(0, n, 1, &soup);
+  return soup;
+}
+
+/// Triangulates the polygon of vertices first to last by ears and chords.
+void AddPolygonBetween(int first, int last, Dice* dice, PolygonSoup* soup) {
+  if (last - first < 2) return;
+  const int apex = dice->Between(first + 1, last - 1);
+  AddTriangle(first, apex, last, soup);
+  AddPolygonBetween(first, apex, dice, soup);
+  AddPolygonBetween(apex, last, dice, soup);
+}
+
+/// A polygon without inner vertices: ears, chords, vertices of one triangle.
+PolygonSoup Ears(Dice* dice) {
+  const int n = dice->Between(3, 24);
+  const double spread = dice->Uniform(0, 2);
+  PolygonSoup soup;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * kPi * i / n, radius = dice->Power(-spread, 0);
+    soup.position.emplace_back(radius * std::cos(a), radius * std::sin(a), dice->Uniform(0, 0.5));
+  }
+  AddPolygonBetween(0, n - 1, dice, &soup);
+  return soup;
+}
+
+/// One vertex far away.
+PolygonSoup Spike(Dice* dice) {
+  PolygonSoup soup = Patch(dice);
+  soup.position[dice->Below(static_cast<int>(soup.position.size()))].z() += dice->Power(0, 5);
+  return soup;
+}
+
+/// All triangles slivers.
+PolygonSoup Slivers(Dice* dice) {
+  PolygonSoup soup = Patch(dice);
+  const double squeeze = dice->Power(-8, -1);
+  for (Eigen::Vector3d& point : soup.position) point.y() *= squeeze;
+  return soup;
+}
+
+/// A ring, rolled up.
+PolygonSoup Band(Dice* dice) {
+  const int around = dice->Between(3, 12);
+  PolygonSoup soup = Grid(around, dice->Between(1, 5), true, false, dice);
+  for (Eigen::Vector3d& point : soup.position) {
+    const double a = 2 * kPi * point.x() / around, radius = 1 + 0.3 * point.z();
+    point = {radius * std::cos(a), radius * std::sin(a), point.y()};
+  }
+  return soup;
+}
+
+PolygonSoup Torus(Dice* dice) {
+  const int n = dice->Between(3, 8), m = dice->Between(3, 8);
+  PolygonSoup soup = Grid(n, m, true, true, dice);
+  for (Eigen::Vector3d& point : soup.position) {
+    const double a = 2 * kPi * point.x() / n, b = 2 * kPi * point.y() / m;
+    const double radius = 2 + std::cos(b);
+    point = {radius * std::cos(a), radius * std::sin(a), std::sin(b) + 0.1 * point.z()};
+  }
+  return soup;
+}
+
+/// Puts a vertex into some of the triangles: valence 3.
+PolygonSoup Split(const PolygonSoup& soup, double probability, Dice* dice) {
+  PolygonSoup split;
+  split.position = soup.position;
+  for (Index p = 0; p < soup.num_polygons(); ++p) {
+    const Index* v = &soup.corner[3 * p];
+    if (!dice->Chance(probability)) {
+      AddTriangle(v[0], v[1], v[2], &split);
+      continue;
+    }
+    const double a = dice->Uniform(0.05, 0.5), b = dice->Uniform(0.05, 0.4);
+    const auto inner = static_cast<Index>(split.position.size());
+    split.position.emplace_back(a * soup.position[v[0]] + b * soup.position[v[1]] +
+                                (1 - a - b) * soup.position[v[2]]);
+    for (int k = 0; k < 3; ++k) AddTriangle(v[k], v[(k + 1) % 3], inner, &split);
+  }
+  return split;
+}
+
+PolygonSoup SplitPatch(Dice* dice) { return Split(Patch(dice), dice->Uniform(0.1, 1), dice); }
+
+/// A tetrahedron or octahedron, split and crumpled.
+PolygonSoup Polyhedron(Dice* dice) {
+  PolygonSoup soup;
+  const int n = dice->Between(3, 8);  // a double pyramid; below 3 around it a tetrahedron
+  soup.position = {{0, 0, 1}, {0, 0, -1}};
+  for (int i = 0; i < n; ++i) {
+    soup.position.emplace_back(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n), 0);
+  }
+  for (int i = 0; i < n; ++i) {
+    const Index a = 2 + i, b = 2 + (i + 1) % n;
+    AddTriangle(a, b, 0, &soup);
+    AddTriangle(b, a, 1, &soup);
+  }
+  for (int rounds = dice->Below(3); rounds > 0; --rounds) soup = Split(soup, 0.3, dice);
+  const double crumple = dice->Power(-3, 0);
+  for (Eigen::Vector3d& point : soup.position) point *= 1 + crumple * dice->Uniform(-0.9, 2);
+  return soup;
+}
+
+PolygonSoup Generated(Dice* dice) {
+  const std::vector<std::string> names = MeshGenerators().Names();
+  GeneratorOptions options;
+  options.triangles = dice->Between(20, 300);
+  options.seed = static_cast<unsigned>(dice->Below(1000000));
+  const std::string& name = names[dice->Below(static_cast<int>(names.size()))];
+  StatusOr<PolygonSoup> soup = GenerateMesh(name, options);
+  CHECK(soup.ok()) << soup.status().message();
+  return *std::move(soup);
+}
+
+}  // namespace
+
+const std::vector<SmallSurfaceKind>& SmallSurfaceKinds() {
+  static const std::vector<SmallSurfaceKind> kTable = {{"patch", Patch},
+                                                       {"needle", Needle},
+                                                       {"fan", Fan},
+                                                       {"ears", Ears},
+                                                       {"spike", Spike},
+                                                       {"slivers", Slivers},
+                                                       {"band", Band},
+                                                       {"torus", Torus},
+                                                       {"split patch", SplitPatch},
+                                                       {"polyhedron", Polyhedron},
+                                                       {"generated", Generated}};
+  return kTable;
+}
+
+namespace {
+
+/// Angle sums of the boundary that spread towards 0 and pi a corner; inner vertices stay flat.
+/// sum corners s^(exponent) with random s in (0, 1) takes every total between.
+ConeTargets NearLimits(const Triangulation& t, Dice* dice) {
+  ConeTargets targets = FreeBoundaryTargets(t);
+  const std::vector<Index> corners = CornersPerVertex(t);
+  std::vector<Index> boundary;
+  double total = t.num_faces();  // of the boundary's sums, in pi
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (targets.lower[v] == targets.upper[v]) {
+      total -= 2;
+    } else {
+      boundary.push_back(v);
+    }
+  }
+  std::vector<double> base(boundary.size());
+  for (double& b : base) b = dice->Uniform(0.01, 0.99);
+  double least = 1e-3, most = 1e3;
+  for (int step = 0; step < 200; ++step) {
+    const double exponent = std::sqrt(least * most);
+    double sum = 0;
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+      const double sum_here = corners[boundary[i]] * std::pow(base[i], exponent);
+      targets.lower[boundary[i]] = targets.upper[boundary[i]] = sum_here * kPi;
+      sum += sum_here;
+    }
+    (sum > total ? least : most) = exponent;
+  }
+  return targets;
+}
+
+const std::string& Pick(const std::vector<std::string>& words, Dice* dice) {
+  return words[dice->Below(static_cast<int>(words.size()))];
+}
+
+OptionMap DrawOptions(Dice* dice) {
+  OptionMap options;
+  for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
+    if (!option.words.empty() && dice->Chance(0.15)) {
+      options[option.name] = Pick(option.words, dice);
+    }
+  }
+  if (dice->Chance(0.2)) options["cones"] = Pick(ConeHeuristics().Names(), dice);
+  if (dice->Chance(0.1)) options["refine_map"] = "mips";
+  if (dice->Chance(0.15)) options["epsilon"] = std::to_string(dice->Power(-5, -0.6));
+  // Reads a file that is not there.
+  if (options["cones"] == "given") options.erase("cones");
+  if (options["cones"].empty()) options.erase("cones");
+  return options;
+}
+
+}  // namespace
+
+MapRequest DrawRequest(const Surface& surface, Dice* dice) {
+  MapRequest request;
+  if (dice->Chance(0.5)) request.domain = Pick(Domains().Names(), dice);
+  const Domain domain = *Domains().Find(request.domain);
+  StatusOr<ParameterizeOptions> options = domain.OptionsWith(DrawOptions(dice));
+  CHECK(options.ok()) << options.status().message();
+  request.options = *std::move(options);
+  request.shape.sides = dice->Between(3, 6);
+  const Triangulation& t = surface.triangulation;
+  const bool has_boundary = std::find(t.twin.begin(), t.twin.end(), kNone) != t.twin.end();
+  if (has_boundary && domain.Reads("targets") && dice->Chance(0.2)) {
+    request.targets = NearLimits(t, dice);
+  }
+  return request;
+}
+
+}  // namespace cirque
