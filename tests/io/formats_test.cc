@@ -118,6 +118,43 @@ TEST(PlyReader, ReadsTextAndBothByteOrders) {
                                       PlyBinaryBody<float>(ByteOrder::kBig));
 }
 
+/// Three points with two more numbers each under these names, and a triangle.
+std::string PlyWithTexture(const std::string& u, const std::string& v, const std::string& list = "",
+                           const std::string& values = "") {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float " + v +
+         "\nproperty float y\nproperty float z\nproperty float " + u + "\nelement face 1\n" + list +
+         "property list uchar int vertex_indices\nend_header\n"
+         "0 8 0 0 2\n1 9 0 0 3\n0 10 1 0 4\n" +
+         values + "3 2 1 0\n";
+}
+
+TEST(PlyReader, ReadsTextureCoordinatesOfVerticesUnderTheirUsualNames) {
+  using Uv = Eigen::Vector2d;
+  for (const auto& [u, v] :
+       {std::pair("s", "t"), {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}) {
+    const PolygonSoup soup = *ParsePly("m", PlyWithTexture(u, v));
+    EXPECT_THAT(soup.texture, ElementsAre(Uv(2, 8), Uv(3, 9), Uv(4, 10)));
+    EXPECT_THAT(soup.corner_texture, ElementsAre(2, 1, 0));
+  }
+  for (const auto& [u, v] : {std::pair("s", "v"), {"nx", "ny"}, {"s", "quality"}}) {
+    const PolygonSoup soup = *ParsePly("m", PlyWithTexture(u, v));
+    EXPECT_TRUE(soup.texture.empty());
+    EXPECT_TRUE(soup.corner_texture.empty());
+  }
+}
+
+TEST(PlyReader, TextureCoordinatesOfAFacesCornersComeBeforeThoseOfVertices) {
+  using Uv = Eigen::Vector2d;
+  const std::string list = "property list uchar float texcoord\n";
+  const PolygonSoup soup = *ParsePly("m", PlyWithTexture("s", "t", list, "6 1 2 3 4 5 6 "));
+  EXPECT_THAT(soup.texture, ElementsAre(Uv(1, 2), Uv(3, 4), Uv(5, 6)));
+  EXPECT_THAT(soup.corner_texture, ElementsAre(0, 1, 2));
+  // A list of another length holds something else.
+  EXPECT_THAT(ParsePly("m", PlyWithTexture("s", "t", list, "5 1 2 3 4 5 "))->texture,
+              ElementsAre(Uv(2, 8), Uv(3, 9), Uv(4, 10)));
+  EXPECT_TRUE(ParsePly("m", PlyWithTexture("a", "b", list, "0 "))->texture.empty());
+}
+
 TEST(PlyReader, EveryTruncationIsAnError) {
   for (const std::string& whole :
        {PlyHeaderText("ascii", "double") + kPlyTextBody.substr(0, kPlyTextBody.size() - 1),

@@ -21,7 +21,9 @@ constexpr double kLargest = 4294967295.0;
 class PlyParser {
  public:
   PlyParser(const PlyHeader& header, std::unique_ptr<PlyBody> body)
-      : header_(header), body_(std::move(body)) {}
+      : header_(header), body_(std::move(body)) {
+    FindTexture();
+  }
 
   StatusOr<PolygonSoup> Parse() {
     Status status = CheckHeader();
@@ -59,25 +61,27 @@ class PlyParser {
         "vertex_indices; write the mesh as polygons (not strips or points)");
   }
 
-  /// 0, 1 for the texture coordinates of a vertex, under any of their usual names, else -1. A vertex
-  /// that has but one of the two has none.
-  static int TextureCoordinate(const PlyElement& element, const PlyProperty& property) {
+  /// The properties that hold texture coordinates of vertices, under any of their usual names.
+  void FindTexture() {
     constexpr std::array<std::string_view, 2> kNames[] = {
         {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
-    if (element.name != "vertex" || property.is_list) return -1;
-    for (const auto& [u, v] : kNames) {
-      if (Has(element, u) && Has(element, v)) {
-        return property.name == u ? 0 : property.name == v ? 1 : -1;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name != "vertex") continue;
+      for (const auto& [u, v] : kNames) {
+        if (texture_[0] != nullptr && texture_[1] != nullptr) return;
+        texture_ = {Scalar(element, u), Scalar(element, v)};
       }
     }
-    return -1;
   }
 
-  static bool Has(const PlyElement& element, std::string_view name) {
-    return std::any_of(
+  static const PlyProperty* Scalar(const PlyElement& element, std::string_view name) {
+    const auto found = std::find_if(
         element.properties.begin(), element.properties.end(),
         [&](const PlyProperty& property) { return !property.is_list && property.name == name; });
+    return found == element.properties.end() ? nullptr : &*found;
   }
+
+  bool HasVertexTexture() const { return texture_[0] != nullptr && texture_[1] != nullptr; }
 
   /// A face's list of u and v for each of its corners.
   static bool IsFaceTexture(const PlyElement& element, const PlyProperty& property) {
@@ -104,7 +108,7 @@ class PlyParser {
     }
     if (element.name == "vertex") {
       soup_.position.emplace_back(0, 0, 0);
-      vertex_texture_.emplace_back(0, 0);
+      if (HasVertexTexture()) vertex_texture_.emplace_back(0, 0);
     }
     face_texture_.clear();
     for (const PlyProperty& property : element.properties) {
@@ -119,8 +123,7 @@ class PlyParser {
 
   /// Of the face that was read last. A list of another length is something else.
   void AddFaceTexture() {
-    const auto num_corners =
-        static_cast<std::size_t>(soup_.first_corner.back() - soup_.first_corner.end()[-2]);
+    const std::size_t num_corners = soup_.corner.size() - corner_has_texture_.size();
     const bool has_texture = face_texture_.size() == 2 * num_corners;
     corner_has_texture_.insert(corner_has_texture_.end(), num_corners, has_texture);
     for (std::size_t i = 0; has_texture && i < face_texture_.size(); i += 2) {
@@ -137,7 +140,7 @@ class PlyParser {
       for (const char has : corner_has_texture_) {
         soup_.corner_texture.push_back(has != 0 ? next++ : kNone);
       }
-    } else if (has_vertex_texture_) {
+    } else if (!vertex_texture_.empty()) {
       soup_.texture = std::move(vertex_texture_);
       soup_.corner_texture = soup_.corner;
     }
@@ -148,9 +151,9 @@ class PlyParser {
     if (!number) return Missing("a number", element, property);
     const int k = Coordinate(element, property);
     if (k >= 0) soup_.position.back()[k] = *number;
-    const int uv = TextureCoordinate(element, property);
-    if (uv >= 0) vertex_texture_.back()[uv] = *number;
-    has_vertex_texture_ = has_vertex_texture_ || uv >= 0;
+    for (int axis = 0; HasVertexTexture() && axis < 2; ++axis) {
+      if (&property == texture_[axis]) vertex_texture_.back()[axis] = *number;
+    }
     return Status();
   }
 
@@ -188,9 +191,9 @@ class PlyParser {
   std::unique_ptr<PlyBody> body_;
   PolygonSoup soup_;
   std::vector<std::int64_t> corners_;
-  bool has_vertex_texture_ = false;
-  std::vector<Eigen::Vector2d> vertex_texture_;  ///< V
-  std::vector<double> face_texture_;             ///< of the face being read
+  std::array<const PlyProperty*, 2> texture_ = {nullptr, nullptr};  ///< of vertices: u and v
+  std::vector<Eigen::Vector2d> vertex_texture_;                     ///< V
+  std::vector<double> face_texture_;                                ///< of the face being read
   std::vector<Eigen::Vector2d> corner_texture_;  ///< of the corners of all faces that list any
   std::vector<char> corner_has_texture_;         ///< C
 };
