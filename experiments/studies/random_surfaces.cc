@@ -55,8 +55,9 @@ std::string FaultOfMap(const PolygonSoup& soup, const Surface& surface, const Ma
   // angles, and may.
   const std::set<std::string> convex = {"disk", "half_plane", "rectangle", "triangle"};
   options.require_injective = convex.contains(request.domain);
-  options.require_rigid_seams =
-      request.domain == MapRequest().domain && request.options.seams == SeamKind::kRigid;
+  options.seams.rigid = request.domain == MapRequest().domain &&
+                        request.options.seams == SeamKind::kRigid &&
+                        map.certificate.outcome != kInaccurate;
   const auto report = verify::VerifyMap(soup, AttachUv(soup, surface, map.uv), options);
   if (!report.ok()) return report.status().message();
   return report->valid() ? "" : report->Verdict();
@@ -86,7 +87,7 @@ Verdict Judge(const SmallSurfaceKind& kind, const PolygonSoup& soup, Dice* dice)
   verdict.domain = request.domain;
   Certificate failed;
   const StatusOr<SurfaceMap> map = MapSurface(*surface, request, {}, &failed);
-  verdict.outcome = ToString(map.status().code());
+  verdict.outcome = map.ok() ? map->certificate.outcome : ToString(map.status().code());
   if (map.ok()) {
     verdict.fault = AllFinite(*map) ? FaultOfMap(soup, *surface, request, *map) : "not finite";
   } else if (map.status().message().empty()) {

@@ -8,7 +8,7 @@
 
 #include "cirque/cones/cone.h"
 #include "cirque/cones/registry.h"
-#include "cirque/core/name_with_options.h"
+#include "cirque/core/option.h"
 #include "cirque/domains/domain.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"

@@ -51,7 +51,7 @@ std::optional<Maps> ReadMaps(std::string_view bytes) {
 void JudgePlaneMap(const Maps& maps, char flags) {
   verify::VerifyOptions options;
   options.require_injective = (flags & kInjective) != 0;
-  options.require_rigid_seams = (flags & kRigid) != 0;
+  options.seams.rigid = (flags & kRigid) != 0;
   options.unit_disk = (flags & kDisk) != 0;
   const auto report = verify::VerifyMap(maps.in, maps.out, options);
   if (!report.ok()) return CheckRefusal(report.status(), "");
@@ -176,8 +176,10 @@ void RunTargets(std::string_view bytes) {
   const MemoryFile file(bytes);
   const auto targets = verify::ReadTargets(file.path(), 3);
   if (!targets.ok()) return CheckRefusal(targets.status(), file.path() + ":");
-  CHECK_EQ(targets->size(), 3u);
-  for (const std::optional<double>& target : *targets) CHECK(!target || std::isfinite(*target));
+  CHECK_EQ(targets->at.size(), 3u);
+  for (const auto& interval : targets->at) {
+    CHECK(!interval || interval->lower_over_pi <= interval->upper_over_pi);  // no NaN either
+  }
 }
 
 }  // namespace

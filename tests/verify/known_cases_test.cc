@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/io/obj.h"
-#include "cirque/io/ply.h"
+#include "cirque/io/mesh_formats.h"
 #include "cirque/verify/infeasibility_check.h"
 
 #include "tests/verify/fixtures.h"
