@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstring>
+#include <exception>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +40,7 @@ namespace {
 /// What became of a surface.
 struct Verdict {
   std::string kind, domain, outcome;
+  std::string flags;  ///< what was asked for
   std::string fault;  ///< what must not be; empty: nothing
 };
 
@@ -79,12 +83,13 @@ bool AllFinite(const SurfaceMap& map) {
 }
 
 Verdict Judge(const SmallSurfaceKind& kind, const PolygonSoup& soup, Dice* dice) {
-  Verdict verdict = {kind.name, "-", "refused mesh", ""};
+  Verdict verdict = {kind.name, "-", "refused mesh", "", ""};
   PreflightReport preflight;
   const StatusOr<Surface> surface = Preflight(soup, &preflight);
   if (!surface.ok()) return verdict;
   const MapRequest request = DrawRequest(*surface, dice);
   verdict.domain = request.domain;
+  verdict.flags = FlagsOf(request);
   Certificate failed;
   const StatusOr<SurfaceMap> map = MapSurface(*surface, request, {}, &failed);
   verdict.outcome = map.ok() ? map->certificate.outcome : ToString(map.status().code());
@@ -121,16 +126,16 @@ std::string ReadAll(int descriptor) {
   return text;
 }
 
-/// The child's part: a line "domain|outcome|fault".
+/// The child's part: a line "domain|outcome|flags|fault".
 [[noreturn]] void JudgeInChild(Drawn drawn, int output) {
   std::signal(SIGALRM, SIG_DFL);
   alarm(static_cast<unsigned>(FLAGS_patience));
   std::string line;
   try {
     const Verdict verdict = Judge(drawn.kind, drawn.soup, &drawn.dice);
-    line = verdict.domain + "|" + verdict.outcome + "|" + verdict.fault;
+    line = verdict.domain + "|" + verdict.outcome + "|" + verdict.flags + "|" + verdict.fault;
   } catch (const std::exception& error) {
-    line = std::string("-|exception|") + error.what();
+    line = std::string("-|exception||") + error.what();
   }
   const bool written = write(output, line.data(), line.size()) == static_cast<ssize_t>(line.size());
   _exit(written ? 0 : 1);
@@ -139,7 +144,8 @@ std::string ReadAll(int descriptor) {
 /// In a process of its own, so that one that aborts or hangs is one verdict among others.
 Verdict JudgeApart(const Drawn& drawn) {
   int ends[2] = {-1, -1};
-  if (pipe(ends) != 0) return {drawn.kind.name, "-", "-", "no pipe"};
+  Verdict verdict = {drawn.kind.name, "-", "-", "", "no process"};
+  if (pipe(ends) != 0) return verdict;
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
@@ -149,17 +155,20 @@ Verdict JudgeApart(const Drawn& drawn) {
   const std::string line = ReadAll(ends[0]);
   close(ends[0]);
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child) {
-    return {drawn.kind.name, "-", "-", "no process"};
-  }
+  if (child < 0 || waitpid(child, &status, 0) != child) return verdict;
+  verdict.fault = "no verdict";
   if (WIFSIGNALED(status)) {
-    const bool hangs = WTERMSIG(status) == SIGALRM;
-    return {drawn.kind.name, "-", hangs ? "hang" : "abort", strsignal(WTERMSIG(status))};
+    verdict.outcome = WTERMSIG(status) == SIGALRM ? "hang" : "abort";
+    verdict.fault = strsignal(WTERMSIG(status));
   }
-  const std::size_t first = line.find('|'), second = line.find('|', first + 1);
-  if (second == std::string::npos) return {drawn.kind.name, "-", "abort", "no verdict"};
-  return {drawn.kind.name, line.substr(0, first), line.substr(first + 1, second - first - 1),
-          line.substr(second + 1)};
+  std::istringstream parts(line);
+  if (std::string fault; std::getline(parts, verdict.domain, '|') &&
+                         std::getline(parts, verdict.outcome, '|') &&
+                         std::getline(parts, verdict.flags, '|')) {
+    std::getline(parts, fault);
+    verdict.fault = fault;
+  }
+  return verdict;
 }
 
 struct Fault {
@@ -203,8 +212,9 @@ std::string Page(const StudyCall& call, const std::vector<Verdict>& verdicts,
   text += Table("surface", verdicts, &Verdict::kind) + Table("domain", verdicts, &Verdict::domain);
   for (const auto& [number, verdict] : faults) {
     text += fmt::format("* `studies random_surfaces --first={} --count=1` ({}, {}): {}: {}\n",
-                        number, verdict.kind, verdict.domain, verdict.outcome, verdict.fault);
+                        number, verdict.kind, verdict.flags, verdict.outcome, verdict.fault);
   }
+  if (verdicts.size() == 1) text += fmt::format("Flags: {}\n", verdicts.front().flags);
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glog/logging.h>
 
 #include "cirque/cones/registry.h"
@@ -252,7 +253,7 @@ const std::string& Pick(const std::vector<std::string>& words, Dice* dice) {
   return words[dice->Below(static_cast<int>(words.size()))];
 }
 
-OptionMap DrawOptions(Dice* dice) {
+OptionMap DrawOptions(const Domain& domain, Dice* dice) {
   OptionMap options;
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
     if (!option.words.empty() && dice->Chance(0.15)) {
@@ -265,16 +266,31 @@ OptionMap DrawOptions(Dice* dice) {
   // Reads a file that is not there.
   if (options["cones"] == "given") options.erase("cones");
   if (options["cones"].empty()) options.erase("cones");
+  // As the programs refuse them.
+  std::erase_if(options, [&](const auto& option) {
+    return IsReadBySomeDomain(option.first) && !domain.Reads(option.first);
+  });
   return options;
 }
 
 }  // namespace
 
+std::string FlagsOf(const MapRequest& request) {
+  std::string flags = "-domain=" + request.domain;
+  const OptionMap recommended =
+      ParameterizeOptionTable().Values(Domains().Find(request.domain)->recommended);
+  for (const auto& [name, value] : ParameterizeOptionTable().Values(request.options)) {
+    if (value != recommended.at(name)) flags += fmt::format(" -{}={}", name, value);
+  }
+  if (request.domain == "polygon") flags += fmt::format(" -sides={}", request.shape.sides);
+  return request.targets ? flags + ", angle sums" : flags;
+}
+
 MapRequest DrawRequest(const Surface& surface, Dice* dice) {
   MapRequest request;
   if (dice->Chance(0.5)) request.domain = Pick(Domains().Names(), dice);
   const Domain domain = *Domains().Find(request.domain);
-  StatusOr<ParameterizeOptions> options = domain.OptionsWith(DrawOptions(dice));
+  StatusOr<ParameterizeOptions> options = domain.OptionsWith(DrawOptions(domain, dice));
   CHECK(options.ok()) << options.status().message();
   request.options = *std::move(options);
   request.shape.sides = dice->Between(3, 6);

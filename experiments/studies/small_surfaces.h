@@ -45,4 +45,8 @@ const std::vector<SmallSurfaceKind>& SmallSurfaceKinds();
 /// of the boundary's vertices: a map that somebody might ask for.
 MapRequest DrawRequest(const Surface& surface, Dice* dice);
 
+/// The request as flags of circle_patterns, "-domain=disk -epsilon=0.1"; angle sums, which are a file
+/// there, as "angle sums".
+std::string FlagsOf(const MapRequest& request);
+
 }  // namespace cirque

@@ -2,6 +2,7 @@
 #include <iterator>
 #include <regex>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,8 +17,8 @@ using ::testing::Not;
 TEST(StudiesProgram, HelpNamesEveryStudyAndEachExplainsItself) {
   const ProgramResult all = RunProgram("studies --help");
   EXPECT_EQ(all.exit_status, 0);
-  for (const char* name :
-       {"strategies", "lorentz", "disk_accuracy", "reference_factorization", "lower_bound"}) {
+  for (const char* name : {"strategies", "lorentz", "disk_accuracy", "random_surfaces",
+                           "reference_factorization", "lower_bound"}) {
     EXPECT_THAT(all.output, HasSubstr(name));
     const ProgramResult one = RunProgram(std::string("studies ") + name + " --help");
     EXPECT_EQ(one.exit_status, 0) << name;
@@ -36,6 +37,7 @@ TEST(StudiesProgram, RefusesWhatItDoesNotKnowWithWhatWasMeant) {
            {"lorentz --pionts=9", "did you mean 'points'"},
            {"lorentz mesh.obj", "unexpected argument 'mesh.obj'"},
            {"disk_accuracy --levels=9", "1 to 8"},
+           {"random_surfaces --count=0", "at least 1"},
            {"strategies", "no mesh given"},
            {"strategies none.obj", "none.obj"},
            {"reference_factorization", "no mesh given"},
@@ -47,6 +49,25 @@ TEST(StudiesProgram, RefusesWhatItDoesNotKnowWithWhatWasMeant) {
     EXPECT_EQ(result.exit_status, 2) << arguments << "\n" << result.output;
     EXPECT_THAT(result.output, HasSubstr(word)) << arguments;
   }
+}
+
+// Maps that once were called ok and turned twice round a vertex (boundaries near their limits), and
+// one whose solve was aborted.
+TEST(StudiesProgram, SurfacesThatOnceHadFaultsHaveNone) {
+  for (const int number : {203, 258, 1329, 3019, 3274, 5160, 8170, 8738}) {
+    const ProgramResult result =
+        RunProgram(fmt::format("studies random_surfaces --count=1 --first={}", number));
+    EXPECT_EQ(result.exit_status, 0) << result.output;
+    EXPECT_THAT(result.output, HasSubstr("Flags: -domain=")) << number;
+  }
+}
+
+TEST(StudiesProgram, RandomSurfacesAreCountedByOutcomeAndTheSameEveryTime) {
+  const ProgramResult once = RunProgram("studies random_surfaces --count=20 --first=7");
+  EXPECT_EQ(once.exit_status, 0) << once.output;
+  EXPECT_THAT(once.output, HasSubstr(": 20 surfaces"));
+  EXPECT_THAT(once.output, HasSubstr("| domain |"));
+  EXPECT_EQ(RunProgram("studies random_surfaces --count=20 --first=7").output, once.output);
 }
 
 // Re-centred, Newton's method does not care how close to one another the points are.

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "cirque/angles/registry.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/math/clausen.h"
+#include "cirque/mesh/preflight.h"
 
 #include "tests/common/renumbering.h"
 #include "tests/common/surfaces.h"
@@ -30,6 +32,24 @@ TEST(SolveLogRadii, RegularFanHasEqualRadii) {
       Solve(fan.triangulation, {Eigen::VectorXd::Constant(18, kPi / 3), 1e-3});
   EXPECT_LT(result.log_radii.value.lpNorm<Eigen::Infinity>(), 1e-14);
   EXPECT_LT(result.RelativeGap(), 1e-14);
+}
+
+// Two right triangles across their hypotenuse: the angles there add up to pi, their circles touch.
+TEST(SolveLogRadii, AnglesOnTheRimOfTheCoherentOnesHaveNoPattern) {
+  const Surface square =
+      *SurfaceFromTriangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const Triangulation& t = square.triangulation;
+  for (const double margin : {0.0, 1e-17}) {
+    CoherentAngles angles = {AnglesOf(square).value, margin};
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      if (t.twin[h] != kNone) angles.value[h] = kPi / 2 - margin;
+    }
+    LogRadiiResult result;
+    const Status status = SolveLogRadii(t, angles, **MakeSolverStrategy("newton"), {}, &result);
+    EXPECT_EQ(status.code(), StatusCode::kNotConverged);
+    EXPECT_NE(status.message().find("faces 0 and 1"), std::string::npos) << status.message();
+    EXPECT_EQ(result.log_radii.value, Eigen::VectorXd::Zero(2));
+  }
 }
 
 TEST(SolveLogRadii, FlatPatchGetsItsOwnCircumradii) {

@@ -246,7 +246,27 @@ class Flattening {
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
     flips_.flipped_in_chart = static_cast<int>(result_.on_input.flipped.size());
     Untangle();
+    AddWrapped(flat);
     return Status();
+  }
+
+  /// Triangles may turn twice round a vertex without one of them being flipped: its angles add up to
+  /// a full turn more than in the flat metric. Then they count as flipped, so that they are kept
+  /// from it.
+  void AddWrapped(const CornerAngles& flat) {
+    std::vector<Index>& flipped = result_.on_input.flipped;
+    if (!flipped.empty()) return;
+    Eigen::VectorXd excess = Eigen::VectorXd::Zero(input_.num_vertices);
+    for (Index c = 0; c < input_.num_halfedges(); ++c) {
+      excess[input_.vertex[c]] += result_.on_input.angles.value[c];
+      excess[t().vertex[c]] -= flat.value[c];
+    }
+    for (Index f = 0; f < input_.num_faces(); ++f) {
+      const Index* corner = &input_.vertex[3 * f];
+      const bool wrapped =
+          std::any_of(corner, corner + 3, [&](Index v) { return std::abs(excess[v]) > kPi; });
+      if (wrapped) flipped.push_back(f);
+    }
   }
 
   /// Few faces are flipped, if any, and moving a vertex a little rights most of them.

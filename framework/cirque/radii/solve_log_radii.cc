@@ -32,6 +32,25 @@ double DualEnergy(const Triangulation& t, const CoherentAngles& angles, const Co
   });
 }
 
+/// Margins can shrink so far that angles coherent up to rounding are none: a corner of 0, or two
+/// circles that touch.
+Status CheckStrictlyCoherent(const Triangulation& t, const CoherentAngles& angles) {
+  for (const Index h : t.edge_halfedge) {
+    const Index g = t.twin[h];
+    const double alpha = angles.value[h], beta = g == kNone ? 0 : angles.value[g];
+    const bool inside = alpha > 0 && (g == kNone || beta > 0) && alpha + beta < kPi;
+    if (inside) continue;
+    const Index face = Triangulation::Face(h);
+    return {StatusCode::kNotConverged,
+            fmt::format("log radii: at {} the coherent angles {} and {} rad are none to rounding; "
+                        "raise epsilon",
+                        g == kNone ? fmt::format("face {}", face)
+                                   : fmt::format("faces {} and {}", face, Triangulation::Face(g)),
+                        alpha, beta)};
+  }
+  return Status();
+}
+
 }  // namespace
 
 RadiiSystem::RadiiSystem(const Triangulation& t, const SolverStrategy& strategy)
@@ -57,6 +76,8 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
 Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      RadiiSystem* system, LogRadiiResult* result) {
+  result->log_radii.value = Eigen::VectorXd::Zero(t.num_faces());
+  if (Status s = CheckStrictlyCoherent(t, angles); !s.ok()) return s;
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
   SolveControl with_solver = control;

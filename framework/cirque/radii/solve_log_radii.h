@@ -48,7 +48,8 @@ class RadiiSystem {
 /// (docs/mathematics.md, Radii): the log radii, of mean 0, whose flat triangles meet at every edge
 /// under its theta. All of `result` is filled in whatever the outcome. Errors: kNotConverged when
 /// the gradient stays above 1e-9 rad (the intersection angles then need not belong to any flat
-/// surface), kCancelled.
+/// surface), or when angles are coherent only up to rounding (the radii are then all 1);
+/// kCancelled.
 Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& angles,
                      const SolverStrategy& strategy, const SolveControl& control,
                      RadiiSystem* system, LogRadiiResult* result);
