@@ -32,7 +32,8 @@ DEFINE_int32(count, 1000, "how many surfaces");
 DEFINE_int32(first, 1,
              "number of the first: it alone decides what the surface and its options are");
 DEFINE_int32(patience, 30, "time [s] after which a map counts as hanging");
-DEFINE_string(faults, "", "folder for the meshes of surfaces with faults; empty: nowhere");
+DEFINE_string(faults, "",
+              "folder for the meshes of surfaces with faults, or of the only one; empty: nowhere");
 
 namespace cirque {
 namespace {
@@ -230,9 +231,9 @@ Status RunRandomSurfaces(const StudyCall& call) {
   for (int number = FLAGS_first; number < FLAGS_first + FLAGS_count; ++number) {
     const Drawn drawn = Draw(number);
     verdicts.push_back(JudgeApart(drawn));
-    if (verdicts.back().fault.empty()) continue;
-    faults.push_back({number, verdicts.back()});
-    if (FLAGS_faults.empty()) continue;
+    const bool is_fault = !verdicts.back().fault.empty();
+    if (is_fault) faults.push_back({number, verdicts.back()});
+    if (FLAGS_faults.empty() || !(is_fault || FLAGS_count == 1)) continue;
     const std::string path = fmt::format("{}/surface-{}.obj", FLAGS_faults, number);
     if (Status s = WriteMesh(path, drawn.soup); !s.ok()) return s;
   }
