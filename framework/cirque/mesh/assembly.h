@@ -28,10 +28,11 @@ struct BadFaces {
 /// Whether twice the area of the triangle is at most 1e-12 times its longest edge squared.
 bool IsZeroArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// Splits every polygon into the fan of its first corner that makes no triangle of zero area.
-/// Polygons that repeat a vertex are left out; those of zero area are split all the same. Polygons
-/// with a vertex that is not finite are not judged by area.
-TriangleSoup SplitIntoFans(const PolygonSoup& soup, BadFaces* bad);
+/// Splits every polygon into triangles that face one way: the fan of its first corner that will do,
+/// or ears (ear_cutting.h) where none will, as in a polygon that is not convex. Polygons that repeat
+/// a vertex are left out; those of zero area are split all the same. Polygons with a vertex that is
+/// not finite are not judged by area.
+TriangleSoup SplitIntoTriangles(const PolygonSoup& soup, BadFaces* bad);
 
 /// How triangles on numbered vertices meet along their edges, before they are oriented. Halfedge
 /// h = 3 f + k is the edge of triangle f opposite its corner k.

@@ -33,7 +33,12 @@ void InspectVertices(const PolygonSoup& soup, PreflightReport* report) {
   const std::vector<bool> used = UsedVertices(soup);
   const std::vector<Index> first = FirstOfEqualPoints(soup.position);
   for (Index v = 0; v < num_vertices; ++v) {
-    if (!soup.position[v].allFinite()) report->non_finite_vertices.push_back(v);
+    const Eigen::Vector3d& x = soup.position[v];
+    if (!x.allFinite()) {
+      report->non_finite_vertices.push_back(v);
+    } else if (!(x.cwiseAbs().maxCoeff() <= kMostCoordinate)) {
+      report->huge_vertices.push_back(v);
+    }
     if (!used[v]) report->isolated_vertices.push_back(v);
     if (first[v] != v) report->duplicate_vertices.push_back(v);
   }
@@ -151,7 +156,7 @@ StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report) {
 
   Assembly assembly;
   BadFaces bad;
-  assembly.triangles = SplitIntoFans(soup, &bad);
+  assembly.triangles = SplitIntoTriangles(soup, &bad);
   report->repeated_vertex_faces = std::move(bad.repeated_vertex);
   report->zero_area_faces = std::move(bad.zero_area);
   assembly.gluing =

@@ -17,6 +17,7 @@ struct PreflightReport {
   Index num_vertices = 0, num_polygons = 0, num_triangles = 0, num_edges = 0;
   std::vector<Index> non_finite_vertices;
   std::string non_finite_at;                 ///< where the first stands in its file; empty: unknown
+  std::vector<Index> huge_vertices;          ///< with a coordinate beyond kMostCoordinate
   std::vector<Index> isolated_vertices;      ///< of no face; set aside by the repair
   std::vector<Index> duplicate_vertices;     ///< where an earlier one lies; legal, left apart
   std::vector<Index> repeated_vertex_faces;  ///< left out of all that follows
@@ -35,10 +36,13 @@ struct PreflightReport {
   std::string Text() const;
 };
 
+/// The squares of lengths must be numbers, too.
+inline constexpr double kMostCoordinate = 1e150;
+
 /// Judges the soup and, where nothing has to be guessed, repairs it: isolated vertices are set
 /// aside; faces are turned around to agree with the majority of their neighbours (with the first
-/// face when there is none); polygons are split into the fans of their first corners, or of the
-/// first ones that avoid triangles of zero area. Everything else is refused, all problems in one
+/// face when there is none); polygons are split into triangles inside themselves
+/// (SplitIntoTriangles). Everything else is refused, all problems in one
 /// message: what, where (counted from 1) and what to do. The report is filled in either case. Runs
 /// in O(F + V). The soup must be one: indices in range, at least 3 corners a polygon.
 StatusOr<Surface> Preflight(const PolygonSoup& soup, PreflightReport* report);
