@@ -161,7 +161,8 @@ TEST_F(Environment, ASignalEndsAProgramWithinASecondWhateverItDoesSlow) {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     EXPECT_LT(std::chrono::duration<double>(Clock::now() - sent).count(), 5);  // idle: under 1
     EXPECT_TRUE(WIFEXITED(status) || WIFSIGNALED(status));
-    if (!fs::exists(folder_.Path("out.obj"))) EXPECT_EQ(CountFiles(), 1) << milliseconds;
+    const bool has_map = fs::exists(folder_.Path("out.obj"));
+    EXPECT_TRUE(has_map || CountFiles() == 1) << milliseconds;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/generators/generators.h"
+#include "cirque/mesh/preflight.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
@@ -240,6 +241,19 @@ TEST(Parameterize, IsTheSameForAnyNumberOfThreadsSlow) {
   const std::vector<Eigen::Vector2d> of_one = map(1);
   EXPECT_EQ(map(3), of_one);
   EXPECT_GT((of_one[0] - of_one[1]).norm(), 0);
+}
+
+TEST(Parameterize, ANeedleWhoseLengthsAreThoseOfNoTriangleHasAMap) {
+  const Surface needle = *SurfaceFromTriangles(
+      {{0, 0, 0}, {1, 0, 0}, {-2.332905658884213, 7.717260006598265e-08, 0}}, {{0, 1, 2}});
+  for (const LayoutMethod layout : {LayoutMethod::kDirections, LayoutMethod::kLeastSquares}) {
+    ParameterizeOptions options;
+    options.layout = layout;
+    const Parameterization map = Flatten(needle, StatusCode::kOk, options);
+    ASSERT_EQ(map.uv.value.size(), 3u);
+    for (const Eigen::Vector2d& uv : map.uv.value) EXPECT_TRUE(uv.allFinite());
+    EXPECT_EQ(map.certificate.layout->flipped_triangles, 0);
+  }
 }
 
 }  // namespace

@@ -30,7 +30,10 @@ MeshSpec MeshFromJson(const nlohmann::json& json) {
 }
 
 MethodSpec MethodFromJson(const nlohmann::json& json, const nlohmann::json& recommended) {
-  MethodSpec method{json.at("name"), {}, json.at("domain"), recommended};
+  MethodSpec method;
+  method.name = json.at("name");
+  method.domain = json.at("domain");
+  method.recommended = recommended;
   for (const auto& option : ParameterizeOptionTable().options()) {
     const nlohmann::json& value = json.at(option.info().name);
     const Status status =

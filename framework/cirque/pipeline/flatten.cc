@@ -282,6 +282,7 @@ class Flattening {
 
   /// Shifts the gauge so that the image has the surface's area.
   void ScaleToSurfaceArea(const CornerAngles& flat) {
+    if (!(source_area_ > 0)) return;  // needles alone, whose lengths are those of flat triangles
     const double image_area = ParallelSum(input_.num_faces(), [&](Index f) {
       const double radius = std::exp(result_.log_radii.value[f]);
       double image = 2 * radius * radius;
