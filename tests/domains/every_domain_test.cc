@@ -247,5 +247,23 @@ TEST(Domains, EveryOptionOfAShapeIsReadBySomeDomain) {
   EXPECT_FALSE(IsReadBySomeDomain("io"));
 }
 
+TEST(MapSurface, SurfacesOfExtremeSizeAreMappedAsTheyAreAtSizeOne) {
+  const Surface terrain = GeneratedSurface("bumpy_terrain", 300);
+  const StatusOr<SurfaceMap> map = MapSurface(terrain, {});
+  ASSERT_TRUE(map.ok());
+  for (const int exponent : {-900, -530, 530, 900}) {
+    Surface scaled = terrain;
+    for (Eigen::Vector3d& x : scaled.position) x *= std::ldexp(1.0, exponent);
+    const StatusOr<SurfaceMap> of_scaled = MapSurface(scaled, {});
+    ASSERT_TRUE(of_scaled.ok()) << exponent << of_scaled.status().message();
+    for (std::size_t c = 0; c < map->uv.value.size(); ++c) {
+      EXPECT_EQ(of_scaled->uv.value[c], map->uv.value[c] * std::ldexp(1.0, exponent));
+    }
+    const StatusOr<SurfaceMap> on_disk = MapSurface(scaled, {.domain = "disk"});
+    ASSERT_TRUE(on_disk.ok()) << exponent << on_disk.status().message();
+    for (const Eigen::Vector2d& uv : on_disk->uv.value) EXPECT_LE(uv.norm(), 1 + 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace cirque

@@ -110,21 +110,6 @@ TEST(Preflight, KeepsOrderAndOrientationOfASoundMesh) {
   EXPECT_THAT(surface.soup_polygon, ElementsAre(0, 1, 2, 3));
 }
 
-TEST(Preflight, CoordinatesWhoseSquaresAreNoNumbersAreRefused) {
-  for (const double size : {1e-120, 1e-10, 1.0, 1e120, 1e150}) {
-    PreflightReport report;
-    EXPECT_TRUE(
-        Preflight(MakeSoup({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}), &report).ok())
-        << size;
-  }
-  PreflightReport report;
-  const auto huge =
-      Preflight(MakeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1e160, 0}}, {{0, 1, 2}}), &report);
-  EXPECT_THAT(
-      huge.status().message(),
-      HasSubstr("1 vertex with coordinates beyond 1e+150, whose squares are no numbers: 3"));
-}
-
 TEST(Preflight, SplitsPolygonsIntoFans) {
   PreflightReport report;
   const Surface surface =

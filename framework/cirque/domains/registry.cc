@@ -7,6 +7,7 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/domain.h"
+#include "cirque/domains/extreme_scale.h"
 
 namespace cirque {
 namespace {
@@ -33,6 +34,17 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
     return Status::InvalidInput(fmt::format("{} is no vertex: there are {}", v, num_vertices));
   }
   return Status();
+}
+
+/// Maps where squares of lengths are numbers, and back.
+Status MapAtSafeScale(const Domain& domain, const Surface& surface, const MapRequest& request,
+                      const SolveControl& control, SurfaceMap* map) {
+  const int exponent = ExtremeExponent(surface);
+  if (exponent == 0) return domain.map(surface, request, control, map);
+  Status status = domain.map(Scaled(surface, -exponent), request, control, map);
+  // The others' images have a size of their own.
+  if (status.ok() && domain.Gives("flat")) ScaleMap(exponent, map);
+  return status;
 }
 
 }  // namespace
@@ -108,7 +120,7 @@ StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& reques
   const StatusOr<Domain> domain = domains.Find(request.domain);
   Status status = domain.status();
   if (status.ok()) status = CheckRequest(*domain, request, surface.triangulation.num_vertices);
-  if (status.ok()) status = domain->map(surface, request, control, &map);
+  if (status.ok()) status = MapAtSafeScale(*domain, surface, request, control, &map);
   status = Conclude(status, timer, &map.certificate);
   if (status.ok()) return map;
   if (failed) *failed = std::move(map.certificate);

@@ -33,12 +33,7 @@ void InspectVertices(const PolygonSoup& soup, PreflightReport* report) {
   const std::vector<bool> used = UsedVertices(soup);
   const std::vector<Index> first = FirstOfEqualPoints(soup.position);
   for (Index v = 0; v < num_vertices; ++v) {
-    const Eigen::Vector3d& x = soup.position[v];
-    if (!x.allFinite()) {
-      report->non_finite_vertices.push_back(v);
-    } else if (!(x.cwiseAbs().maxCoeff() <= kMostCoordinate)) {
-      report->huge_vertices.push_back(v);
-    }
+    if (!soup.position[v].allFinite()) report->non_finite_vertices.push_back(v);
     if (!used[v]) report->isolated_vertices.push_back(v);
     if (first[v] != v) report->duplicate_vertices.push_back(v);
   }

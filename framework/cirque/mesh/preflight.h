@@ -17,7 +17,6 @@ struct PreflightReport {
   Index num_vertices = 0, num_polygons = 0, num_triangles = 0, num_edges = 0;
   std::vector<Index> non_finite_vertices;
   std::string non_finite_at;                 ///< where the first stands in its file; empty: unknown
-  std::vector<Index> huge_vertices;          ///< with a coordinate beyond kMostCoordinate
   std::vector<Index> isolated_vertices;      ///< of no face; set aside by the repair
   std::vector<Index> duplicate_vertices;     ///< where an earlier one lies; legal, left apart
   std::vector<Index> repeated_vertex_faces;  ///< left out of all that follows
@@ -35,9 +34,6 @@ struct PreflightReport {
   /// their numbers in the file).
   std::string Text() const;
 };
-
-/// The squares of lengths must be numbers, too.
-inline constexpr double kMostCoordinate = 1e150;
 
 /// Judges the soup and, where nothing has to be guessed, repairs it: isolated vertices are set
 /// aside; faces are turned around to agree with the majority of their neighbours (with the first

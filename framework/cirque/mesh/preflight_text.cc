@@ -54,12 +54,6 @@ std::vector<std::string> VertexAndFaceProblems(const PreflightReport& report) {
   if (report.num_polygons == 0) {
     problems.push_back("the mesh has no faces; give a file that lists triangles or polygons");
   }
-  if (const auto& ids = report.huge_vertices; !ids.empty()) {
-    problems.push_back(
-        fmt::format("{} with coordinates beyond {:.0e}, whose squares are no numbers: "
-                    "{}; scale the mesh down",
-                    Vertices(ids.size()), kMostCoordinate, Ids(ids)));
-  }
   if (const auto& ids = report.non_finite_vertices; !ids.empty()) {
     const std::string& at = report.non_finite_at;
     problems.push_back(fmt::format("{} with coordinates that are not finite: {}{}; correct them",
