@@ -259,7 +259,7 @@ TEST(MapSurface, SurfacesOfExtremeSizeAreMappedAsTheyAreAtSizeOne) {
     for (std::size_t c = 0; c < map->uv.value.size(); ++c) {
       EXPECT_EQ(of_scaled->uv.value[c], map->uv.value[c] * std::ldexp(1.0, exponent));
     }
-    const StatusOr<SurfaceMap> on_disk = MapSurface(scaled, {.domain = "disk"});
+    const StatusOr<SurfaceMap> on_disk = MapSurface(scaled, RequestFor("disk"));
     ASSERT_TRUE(on_disk.ok()) << exponent << on_disk.status().message();
     for (const Eigen::Vector2d& uv : on_disk->uv.value) EXPECT_LE(uv.norm(), 1 + 1e-12);
   }
