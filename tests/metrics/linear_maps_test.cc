@@ -28,7 +28,8 @@ struct LinearMap {
 Surface FlatPatch() { return GeneratedSurface("flat_delaunay_patch", 120); }
 
 TestMap Apply(const LinearMap& map, const Surface& surface) {
-  return MapOf(surface, [&](const Eigen::Vector3d& p) { return map.Matrix() * p.head<2>(); });
+  return MapOf(surface,
+               [&](const Eigen::Vector3d& p) -> Vector2d { return map.Matrix() * p.head<2>(); });
 }
 
 /// By what every corner angle of the surface changes [rad], by the law of cosines.
