@@ -1,8 +1,6 @@
 // The thesis's program: a triangle mesh in, its conformal map out.
 #include <iostream>
 
-#include <glog/logging.h>
-
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
@@ -44,9 +42,6 @@ Status Run(const CirclePatternsJob& job, const SolveControl& control) {
 }
 
 int Main(int argc, char** argv) {
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
-  google::InitGoogleLogging(argv[0]);
   const StatusOr<bool> served = ServeOtherRanks();
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;

@@ -15,6 +15,8 @@
 #include <string>
 #include <system_error>
 
+#include <glog/logging.h>
+
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
 
@@ -92,6 +94,9 @@ int RunMain(std::string_view name, int argc, char** argv, int (*body)(int argc, 
   RestartWithOneBlasThread(argv);
   UseOneBlasThread();
   UseOneHeap();
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
+  google::InitGoogleLogging(argv[0]);
   try {
     const int status = body(argc, argv);
     return Flush(name) || status != 0 ? status : kProgramFailed;

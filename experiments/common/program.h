@@ -14,7 +14,7 @@ constexpr int kProgramFailed = 2;
 ///  - what it printed could not be written (a full disk, a closed pipe).
 /// Around it stands what every program needs: descriptors 0 to 2 are open, so that no file becomes
 /// standard output; a closed pipe is an error of writing and not the end; children can be waited
-/// for whatever the parent ignored; one BLAS thread and one heap.
+/// for whatever the parent ignored; one BLAS thread and one heap; of libraries' logs only errors.
 int RunMain(std::string_view name, int argc, char** argv, int (*body)(int argc, char** argv));
 
 }  // namespace cirque

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
-#include <glog/logging.h>
 
 #include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
@@ -140,9 +139,6 @@ int Run(ExperimentConfig config) {
 }
 
 int Main(int argc, char** argv) {
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
-  google::InitGoogleLogging(argv[0]);
   if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeRun);
   const StatusOr<std::vector<std::string>> arguments =
       ParseFlags(argc, argv, kSource, {}, {{"jobs", "parallel_runs"}});

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
-#include <glog/logging.h>
 
 #include "cirque/core/text.h"
 
@@ -88,9 +87,6 @@ std::string CommandOf(int argc, char** argv) {
 }
 
 int Main(int argc, char** argv) {
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_ERROR;  // Ceres warns of what the summaries say
-  google::InitGoogleLogging(argv[0]);
   StatusOr<std::vector<std::string>> words = ParseFlags(argc, argv, kSource);
   if (!words.ok()) return Complain("studies", words.status());
   if (words->empty()) {
