@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "cirque/core/parallel.h"
+#include "cirque/mesh/assembly.h"
+#include "cirque/mesh/ear_cutting.h"
+
+namespace cirque {
+namespace {
+
+using Corners = std::span<const Index>;
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr Index kAtOnce = 1 << 18;  ///< polygons
+
+Corners CornersOf(const PolygonSoup& soup, Index p) {
+  return Corners(soup.corner)
+      .subspan(soup.first_corner[p], soup.first_corner[p + 1] - soup.first_corner[p]);
+}
+
+bool RepeatsVertex(Corners corners) {
+  if (corners.size() == 3) {
+    return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+  }
+  std::vector<Index> sorted(corners.size());
+  std::copy(corners.begin(), corners.end(), sorted.begin());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+/// The polygon's points, scaled by a power of two to about 1.
+Points PointsOf(const PolygonSoup& soup, Corners corners) {
+  double largest = 0;
+  for (const Index v : corners) largest = std::max(largest, soup.position[v].cwiseAbs().maxCoeff());
+  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+  Points points;
+  for (const Index v : corners) {
+    points.push_back(soup.position[v].unaryExpr([&](double x) { return std::ldexp(x, exponent); }));
+  }
+  return points;
+}
+
+PolygonTriangles Fan(std::size_t size, std::size_t apex) {
+  PolygonTriangles triangles;
+  for (std::size_t i = 1; i + 1 < size; ++i) {
+    triangles.push_back({static_cast<Index>(apex), static_cast<Index>((apex + i) % size),
+                         static_cast<Index>((apex + i + 1) % size)});
+  }
+  return triangles;
+}
+
+bool HasZeroArea(const Points& point, const PolygonTriangles& triangles) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return IsZeroArea(point[t[0]], point[t[1]], point[t[2]]);
+  });
+}
+
+/// Whether all of them face the side that the polygon does, as they do inside a flat one.
+bool FaceOneWay(const Points& point, const PolygonTriangles& triangles) {
+  const Eigen::Vector3d normal = NewellNormal(point);
+  return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return normal.dot((point[t[1]] - point[t[0]]).cross(point[t[2]] - point[t[0]])) > 0;
+  });
+}
+
+/// The fan of the first corner whose triangles have an area and face one way; where there is none
+/// (a polygon that is not convex, or has points on straight sides) ears; where there are none (it
+/// crosses itself, or is bent) the first fan whose triangles have an area. Empty: there is none.
+PolygonTriangles FindSplit(const Points& point) {
+  PolygonTriangles first;
+  for (std::size_t apex = 0; apex < point.size(); ++apex) {
+    PolygonTriangles fan = Fan(point.size(), apex);
+    if (HasZeroArea(point, fan)) continue;
+    if (FaceOneWay(point, fan)) return fan;
+    if (first.empty()) first = std::move(fan);
+  }
+  PolygonTriangles ears = CutEars(point);
+  return !ears.empty() && !HasZeroArea(point, ears) ? ears : first;
+}
+
+/// What is known of a polygon before it is split.
+struct Judgement {
+  bool repeats_vertex = false, has_area = true;
+  PolygonTriangles triangles;  ///< of more than three corners
+};
+
+Judgement Judge(const PolygonSoup& soup, Corners corners) {
+  Judgement judgement;
+  judgement.repeats_vertex = RepeatsVertex(corners);
+  const auto finite = [&](Index v) { return soup.position[v].allFinite(); };
+  const bool is_finite = std::all_of(corners.begin(), corners.end(), finite);
+  if (judgement.repeats_vertex || !is_finite) return judgement;
+  if (corners.size() == 3) {
+    judgement.has_area = !IsZeroArea(soup.position[corners[0]], soup.position[corners[1]],
+                                     soup.position[corners[2]]);
+    return judgement;
+  }
+  judgement.triangles = FindSplit(PointsOf(soup, corners));
+  judgement.has_area = !judgement.triangles.empty();
+  return judgement;
+}
+
+/// Appends the triangles and glues them along the diagonals: two triangles of one polygon that
+/// share the places of an edge.
+void Append(Corners corners, const PolygonTriangles& parts, Index polygon,
+            TriangleSoup* triangles) {
+  std::map<std::pair<Index, Index>, Index> open;  // places of an edge -> its halfedge
+  for (const std::array<Index, 3>& part : parts) {
+    const auto first = static_cast<Index>(triangles->vertex.size());
+    triangles->polygon.push_back(polygon);
+    for (Index k = 0; k < 3; ++k) {
+      triangles->vertex.push_back(corners[part[k]]);
+      triangles->mate.push_back(kNone);
+    }
+    if (parts.size() == 1) return;
+    for (Index k = 0; k < 3; ++k) {
+      const std::pair<Index, Index> edge = std::minmax(part[(k + 1) % 3], part[(k + 2) % 3]);
+      const auto [other, is_new] = open.try_emplace(edge, first + k);
+      if (is_new) continue;
+      triangles->mate[other->second] = first + k;
+      triangles->mate[first + k] = other->second;
+    }
+  }
+}
+
+}  // namespace
+
+bool IsZeroArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double longest =
+      std::max({(b - a).stableNorm(), (c - b).stableNorm(), (a - c).stableNorm()});
+  // Scaled first, so that tiny and huge triangles neither underflow nor overflow.
+  const Eigen::Vector3d ab = (b - a) / longest, ac = (c - a) / longest;
+  return !(ab.cross(ac).norm() > 1e-12);
+}
+
+TriangleSoup SplitIntoTriangles(const PolygonSoup& soup, BadFaces* bad) {
+  TriangleSoup triangles;
+  triangles.vertex.reserve(soup.corner.size());
+  triangles.mate.reserve(soup.corner.size());
+  triangles.polygon.reserve(soup.num_polygons());
+  const PolygonTriangles whole = Fan(3, 0);
+  std::vector<Judgement> judgements;
+  // By parts: the judgements of all polygons at once would take more room than the mesh.
+  for (Index begin = 0; begin < soup.num_polygons(); begin += kAtOnce) {
+    const Index count = std::min(kAtOnce, soup.num_polygons() - begin);
+    judgements.assign(count, {});
+    ParallelFor(count, [&](Index i) { judgements[i] = Judge(soup, CornersOf(soup, begin + i)); });
+    for (Index i = 0; i < count; ++i) {
+      const Judgement& judgement = judgements[i];
+      const Corners corners = CornersOf(soup, begin + i);
+      if (judgement.repeats_vertex) {
+        bad->repeated_vertex.push_back(begin + i);
+        continue;
+      }
+      if (!judgement.has_area) bad->zero_area.push_back(begin + i);
+      if (corners.size() == 3) {
+        Append(corners, whole, begin + i, &triangles);
+      } else {
+        Append(corners, judgement.triangles.empty() ? Fan(corners.size(), 0) : judgement.triangles,
+               begin + i, &triangles);
+      }
+    }
+  }
+  return triangles;
+}
+
+}  // namespace cirque
