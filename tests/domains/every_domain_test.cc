@@ -251,6 +251,7 @@ TEST(MapSurface, SurfacesOfExtremeSizeAreMappedAsTheyAreAtSizeOne) {
   const Surface terrain = GeneratedSurface("bumpy_terrain", 300);
   const StatusOr<SurfaceMap> map = MapSurface(terrain, {});
   ASSERT_TRUE(map.ok());
+  EXPECT_TRUE(FlippedFaces(terrain.triangulation, map->uv).empty());
   for (const int exponent : {-900, -530, 530, 900}) {
     Surface scaled = terrain;
     for (Eigen::Vector3d& x : scaled.position) x *= std::ldexp(1.0, exponent);

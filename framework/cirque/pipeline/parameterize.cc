@@ -204,7 +204,7 @@ Status RunWithCones(const Job& job, Parameterization* result) {
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
   const Status status = RunWithChosenCones(job, result);
   const bool unrepresentable = status.code() == StatusCode::kUnrepresentable;
-  if (!job.options.cones.empty() || job.surface.triangulation.num_faces() == 1) return status;
+  if (!job.options.cones.empty()) return status;
   if (!unrepresentable && (!status.ok() || Inaccuracy(result->certificate).empty())) return status;
   ParameterizeOptions options = job.options;
   options.cones = kConesForRange;
