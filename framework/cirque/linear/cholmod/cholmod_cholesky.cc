@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -79,6 +80,7 @@ class CholmodCholesky final : public SparseCholesky {
     cholmod_dense right_side = View(b);
     cholmod_solve2(CHOLMOD_A, factor_, &right_side, nullptr, &solution_, nullptr, &workspace_,
                    &second_workspace_, &common_);
+    ThrowIfOutOfMemory();
     *x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
   }
 
@@ -109,6 +111,7 @@ class CholmodCholesky final : public SparseCholesky {
     common_.method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
     factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
     suggested_ = {};
+    ThrowIfOutOfMemory();
     if (!factor_ || !LendMemory()) return false;
     if (factor_->is_super) {
       supernodal_.emplace(lower, *factor_);
@@ -125,10 +128,16 @@ class CholmodCholesky final : public SparseCholesky {
     }
     cholmod_sparse a = View(lower);
     const bool done = cholmod_factorize(&a, factor_, &common_) != 0;
+    ThrowIfOutOfMemory();
     return done && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 
  private:
+  /// Which is not that the matrix is not positive definite, and not to be mended by another.
+  void ThrowIfOutOfMemory() const {
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  }
+
   /// Gives a supernodal factor our memory for its numbers, as its numeric factorization would find
   /// it from the second time on. CHOLMOD itself returns that memory to the system with every new
   /// analysis, and to be given pages anew takes up to half the time of factoring.
