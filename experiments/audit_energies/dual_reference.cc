@@ -22,6 +22,20 @@ struct Corner {
   Real reference, slope;
 };
 
+/// Those of Q_e.
+struct Margins {
+  Real l, r, theta;
+};
+
+/// epsilon, but at corners half of a reference that is less than twice that, as far as the least
+/// margin.
+Margins MarginsOf(const Real& raw_l, const Real& raw_r, const Real& epsilon) {
+  const auto of_corner = [&](const Real& reference) -> Real {
+    return std::min(epsilon, std::max(Real(kLeastCornerMargin), Real(reference / 2)));
+  };
+  return {of_corner(raw_l), of_corner(raw_r), epsilon};
+}
+
 /// An objective of corner angles: its distance, where its slope is given, and where on x_l + x_r =
 /// sum the slopes of both corners agree; each in closed form.
 class SeparableReference {
@@ -50,8 +64,8 @@ class SeparableReference {
   bool IsBounded() const { return objective_ != "least_squares"; }
 
   Real Clamp(double reference, double epsilon) const {
-    const bool clamps = objective_ == "entropy" || objective_ == "weighted_quadratic";
-    return clamps ? std::max(reference, epsilon) : reference;
+    if (objective_ == "entropy") return std::max(reference, std::min(epsilon, kLeastCornerMargin));
+    return objective_ == "weighted_quadratic" ? std::max(reference, epsilon) : reference;
   }
 
  private:
@@ -65,27 +79,27 @@ class SeparableReference {
 /// max over Q_e of s.a - phi(a): the best of the stationary points of the inside, the sides and of
 /// the corners that lie in Q_e.
 Real SeparableInterior(const SeparableReference& o, const Corner& l, const Corner& r,
-                       const Real& eps) {
+                       const Margins& m) {
   const auto value = [&](const Real& a, const Real& b) -> Real {
     return l.slope * a - o.Distance(l.reference, a) + r.slope * b - o.Distance(r.reference, b);
   };
   const Real free_l = o.WithSlope(l), free_r = o.WithSlope(r);
   if (!o.IsBounded()) return value(free_l, free_r);
-  const Real sum = Pi() - eps, along = o.OnSum(l, r, sum);
-  const Real candidates[][2] = {{free_l, free_r}, {eps, free_r},    {free_l, eps},       {eps, eps},
-                                {eps, sum - eps}, {sum - eps, eps}, {along, sum - along}};
+  const Real sum = Pi() - m.theta, along = o.OnSum(l, r, sum);
+  const Real candidates[][2] = {{free_l, free_r}, {m.l, free_r},    {free_l, m.r},       {m.l, m.r},
+                                {m.l, sum - m.l}, {sum - m.r, m.r}, {along, sum - along}};
   const Real slack(kTiny);
-  Real best = value(eps, eps);
+  Real best = value(m.l, m.r);
   for (const auto& [a, b] : candidates) {
-    if (a >= eps - slack && b >= eps - slack && a + b <= sum + slack)
+    if (a >= m.l - slack && b >= m.r - slack && a + b <= sum + slack)
       best = std::max(best, value(a, b));
   }
   return best;
 }
 
-Real SeparableBoundary(const SeparableReference& o, const Corner& c, const Real& eps) {
+Real SeparableBoundary(const SeparableReference& o, const Corner& c, const Margins& m) {
   Real a = o.WithSlope(c);
-  if (o.IsBounded()) a = std::min(std::max(a, eps), Real(Pi() - eps));
+  if (o.IsBounded()) a = std::min(std::max(a, m.l), Real(Pi() - m.theta));
   return c.slope * a - o.Distance(c.reference, a);
 }
 
@@ -139,12 +153,13 @@ Real EdgeConjugateOf(const std::string& objective, const EnergyInput& input, Ind
     return BarrierConjugate(corners, clamp(Pi() - Real(reference[l]) - right));
   }
   const SeparableReference separable(objective);
-  const Real eps(input.epsilon);
+  const Margins margins =
+      MarginsOf(Real(reference[l]), r == kNone ? Real(0) : Real(reference[r]), Real(input.epsilon));
   const auto corner = [&](Index h) {
     return Corner{separable.Clamp(reference[h], input.epsilon), slope(h)};
   };
-  return r == kNone ? SeparableBoundary(separable, corner(l), eps)
-                    : SeparableInterior(separable, corner(l), corner(r), eps);
+  return r == kNone ? SeparableBoundary(separable, corner(l), margins)
+                    : SeparableInterior(separable, corner(l), corner(r), margins);
 }
 
 }  // namespace

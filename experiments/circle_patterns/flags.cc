@@ -225,11 +225,6 @@ StatusOr<CirclePatternsJob> CirclePatternsFlags::Job() const {
   if (!measures.ok()) return measures.status().In("--measures");
   CirclePatternsJob job = job_;
   job.measures = *std::move(measures);
-  OptionMap given = ParameterizeOptionTable().Values(job_.options);
-  std::erase_if(given, [this](const auto& option) { return !line_.IsGiven(option.first); });
-  auto options = Domains().Find(job.domain.name)->OptionsWith(given);
-  if (!options.ok()) return options.status();
-  job.options = *std::move(options);
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
   return job;
 }

@@ -27,8 +27,7 @@ class CirclePatternsFlags {
   Status Parse(const std::vector<std::string>& arguments);
 
   /// Whether the flags make sense together, and each of them by itself, as far as can be told
-  /// without reading a file; then the job that they describe. Options that were not given are as
-  /// the domain recommends them.
+  /// without reading a file; then the job that they describe.
   StatusOr<CirclePatternsJob> Job() const;
 
   const ProgramSettings& settings() const { return settings_; }

@@ -16,6 +16,11 @@ std::string MapLine(const Certificate& c) {
 std::string SolveLines(const Certificate& c) {
   const AngleFitSummary angles = c.angle_fit.value_or(AngleFitSummary());
   const RadiiSummary radii = c.radii.value_or(RadiiSummary());
+  if (angles.epsilon == 0) {
+    return fmt::format(
+        "angles      those of the surface, which is flat: smallest corner {:.2e} rad\n",
+        angles.smallest_angle);
+  }
   return fmt::format(
              "angles      {} steps, smallest corner {:.2e} rad, intersection {:.2e} rad, gap "
              "{:.1e}\n",

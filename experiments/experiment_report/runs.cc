@@ -56,7 +56,7 @@ std::string Identity(const Run& run) {
         "peak_memory_mib", "cpu_seconds", "map_cpu_seconds", "reference", "limits"}) {
     identity.erase(name);
   }
-  // Who chose an option is no part of what the method is.
+  // In older records: who chose an option, which is no part of what the method is.
   if (identity.contains("method") && identity["method"].is_object()) {
     identity["method"].erase("recommended");
   }

@@ -16,7 +16,6 @@ namespace {
 const std::vector<std::pair<std::string, std::string>> kProvenance = {
     {"config", "/provenance/config"},
     {"config hash", "/provenance/config_hash"},
-    {"options as domains recommend them", "/method/recommended"},
     {"version", "/provenance/version"},
     {"commit", "/provenance/commit"},
     {"build", "/provenance/build"},

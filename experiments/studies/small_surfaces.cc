@@ -277,10 +277,9 @@ OptionMap DrawOptions(const Domain& domain, Dice* dice) {
 
 std::string FlagsOf(const MapRequest& request) {
   std::string flags = "-domain=" + request.domain;
-  const OptionMap recommended =
-      ParameterizeOptionTable().Values(Domains().Find(request.domain)->recommended);
+  const OptionMap plain = ParameterizeOptionTable().Values({});
   for (const auto& [name, value] : ParameterizeOptionTable().Values(request.options)) {
-    if (value != recommended.at(name)) flags += fmt::format(" -{}={}", name, value);
+    if (value != plain.at(name)) flags += fmt::format(" -{}={}", name, value);
   }
   if (request.domain == "polygon") flags += fmt::format(" -sides={}", request.shape.sides);
   return request.targets ? flags + ", angle sums" : flags;
@@ -290,9 +289,8 @@ MapRequest DrawRequest(const Surface& surface, Dice* dice) {
   MapRequest request;
   if (dice->Chance(0.5)) request.domain = Pick(Domains().Names(), dice);
   const Domain domain = *Domains().Find(request.domain);
-  StatusOr<ParameterizeOptions> options = domain.OptionsWith(DrawOptions(domain, dice));
-  CHECK(options.ok()) << options.status().message();
-  request.options = *std::move(options);
+  const Status drawn = ParameterizeOptionTable().Set(DrawOptions(domain, dice), &request.options);
+  CHECK(drawn.ok()) << drawn.message();
   request.shape.sides = dice->Between(3, 6);
   const Triangulation& t = surface.triangulation;
   const bool has_boundary = std::find(t.twin.begin(), t.twin.end(), kNone) != t.twin.end();

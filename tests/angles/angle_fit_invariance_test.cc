@@ -24,7 +24,7 @@ constexpr const char* kSolvers[] = {"newton", "newton_cg", "interior_point",
                                     "ceres_augmented_lagrangian"};
 
 bool Takes(const std::string& solver, const std::string& objective) {
-  return solver != "interior_point" || (objective != "barrier" && objective != "entropy");
+  return solver != "interior_point" || objective != "barrier";
 }
 
 AngleFitResult Fit(const std::string& solver, const std::string& objective,

@@ -2,6 +2,7 @@
 #include "cirque/angles/angle_program.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -74,6 +75,27 @@ TEST_F(AngleProgramTest, ResidualsAndSlacksAreAffine) {
   Vector own = program_.centre();
   own.head(t_.num_halfedges()) = reference_.value;
   EXPECT_LT(program_.EqualityResidual(own).head(t_.num_faces()).lpNorm<Eigen::Infinity>(), 1e-13);
+}
+
+TEST_F(AngleProgramTest, IsLinearisedWithTheObjectivesOwnDerivatives) {
+  for (const char* name : {"quadratic", "entropy"}) {
+    const auto objective = *AngleObjectives().Find(name);
+    AngleProgram program({constraints_, reference_.value, 1e-2}, *objective);
+    const Vector x = program.InteriorPoint();
+    Vector step = Vector::Random(x.size()) * 1e-6;
+    step.tail(x.size() - t_.num_halfedges()).setZero();
+    const auto at = [&](double length) {
+      program.Linearize(x + length * step);
+      return std::pair(program.value(), program.slope());
+    };
+    const auto [plus, slope_plus] = at(1);
+    const auto [minus, slope_minus] = at(-1);
+    program.Linearize(x);
+    EXPECT_NEAR(plus - minus, 2 * program.slope().dot(step), 1e-13);
+    const Vector bend = 2 * program.weight().cwiseProduct(step);
+    EXPECT_LT((slope_plus - slope_minus - bend).lpNorm<Eigen::Infinity>(), 1e-12);
+    EXPECT_GT(bend.lpNorm<Eigen::Infinity>(), 1e-7);
+  }
 }
 
 TEST_F(AngleProgramTest, TheInteriorPointIsInside) {

@@ -58,21 +58,21 @@ class AugmentedResiduals : public testing::TestWithParam<std::string> {
                           : objective_->Interior(reference_.value[l], reference_.value[r], kMargin,
                                                  alpha_[l], alpha_[r]);
     }
-    const double rho = state_.penalty, margin = objective_->Margin(kMargin);
+    const double rho = state_.penalty;
     const auto penalty = [rho](double x) { return 0.5 * rho * x * x; };
     const Eigen::VectorXd sums = constraints_.Apply(alpha_);
     for (int row = 0; row < constraints_.num_rows(); ++row) {
       value += penalty(SignedDistance(sums[row] - state_.y[row] / rho, constraints_.Lower(row),
                                       constraints_.Upper(row)));
     }
-    if (!(margin > 0)) return value;
-    for (Index h = 0; h < t_.num_halfedges(); ++h) {
-      value += penalty(std::max(0.0, margin - alpha_[h] + state_.of_lower[h] / rho));
-    }
+    if (!(objective_->Margin(kMargin) > 0)) return value;
     for (Index e = 0; e < t_.num_edges(); ++e) {
       const Index l = t_.edge_halfedge[e], r = t_.twin[l];
+      const EdgeMargins m = MarginsOf({constraints_, reference_.value, kMargin}, *objective_, l);
+      value += penalty(std::max(0.0, m.l - alpha_[l] + state_.of_lower[l] / rho));
+      if (r != kNone) value += penalty(std::max(0.0, m.r - alpha_[r] + state_.of_lower[r] / rho));
       const double sum = alpha_[l] + (r == kNone ? 0 : alpha_[r]);
-      value += penalty(std::max(0.0, sum - (kPi - margin) + state_.of_sums[e] / rho));
+      value += penalty(std::max(0.0, sum - (kPi - m.theta) + state_.of_sums[e] / rho));
     }
     return value;
   }

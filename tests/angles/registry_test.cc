@@ -40,7 +40,7 @@ Fitted FlatFit(const std::string& method, const std::string& objective, const Su
 }
 
 bool Takes(const std::string& method, const std::string& objective) {
-  return method != "interior_point" || (objective != "barrier" && objective != "entropy");
+  return method != "interior_point" || objective != "barrier";
 }
 
 double Difference(const Fitted& a, const Fitted& b) {
@@ -236,11 +236,11 @@ TEST(AngleSolvers, OptionsAreRefusedByNameValueAndBound) {
   EXPECT_THAT(message("dual", {{"strategy", "newtn"}}), HasSubstr("did you mean 'newton'?"));
 }
 
-TEST(AngleSolvers, InteriorPointRefusesWhatIsNotQuadratic) {
+TEST(AngleSolvers, InteriorPointRefusesWhatMeasuresIntersectionAngles) {
   const Surface fan = Fan(6, 0.5);
   const Fitted fitted = FlatFit("interior_point", "barrier", fan);
   EXPECT_EQ(fitted.status.code(), StatusCode::kInvalidInput);
-  EXPECT_THAT(fitted.status.message(), HasSubstr("weighted_quadratic"));
+  EXPECT_THAT(fitted.status.message(), HasSubstr("not barrier"));
 }
 
 }  // namespace

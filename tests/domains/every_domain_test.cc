@@ -199,29 +199,6 @@ TEST_P(EveryDomain, ACancelledSolveIsNoMap) {
   EXPECT_EQ(failed.outcome, "cancelled");
 }
 
-TEST_P(EveryDomain, OptionsThatAreNotGivenAreAsRecommended) {
-  const Domain domain = *Domains().Find(GetParam());
-  const OptionTable<ParameterizeOptions>& table = ParameterizeOptionTable();
-  EXPECT_EQ(table.Values(*domain.OptionsWith({})), table.Values(domain.recommended));
-  // Whatever is recommended gives way to what is given, and nothing else changes.
-  OptionMap expected = table.Values(domain.recommended);
-  expected["angle_objective"] = "barrier";
-  expected["max_iterations"] = "7";
-  const auto options =
-      domain.OptionsWith({{"angle_objective", "barrier"}, {"max_iterations", "7"}});
-  ASSERT_TRUE(options.ok()) << options.status().message();
-  EXPECT_EQ(table.Values(*options), expected);
-  EXPECT_EQ(domain.OptionsWith({{"angel_objective", "barrier"}}).status().code(),
-            StatusCode::kInvalidInput);
-  // The recommendations, put on the defaults, are all of what is recommended.
-  ParameterizeOptions plain;
-  ASSERT_TRUE(table.Set(domain.Recommendations(), &plain).ok());
-  EXPECT_EQ(table.Values(plain), table.Values(domain.recommended));
-  for (const auto& [option, value] : domain.Recommendations()) {
-    EXPECT_NE(table.Values({}).at(option), value) << option;
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Registry, EveryDomain, testing::ValuesIn(Domains().Names()),
                          [](const auto& domain) { return domain.param; });
 

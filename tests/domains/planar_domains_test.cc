@@ -31,17 +31,15 @@ std::vector<double> AngleSums(const Surface& surface, const CornerUv& uv) {
 }
 
 TEST(RectangleDomain, RectangularGridHasItsOwnModulus) {
-  const Surface strip = FlatStrip(12, 4);
+  const Surface strip = FlatStrip(12, 4);  // whose diagonals are on the verge of Delaunay
   DomainOptions domain;
   domain.corners = StripCorners(12, 4);
-  ParameterizeOptions options;
-  options.epsilon = 1e-12;  // the grid's diagonals are on the verge of Delaunay
-  const SurfaceMap map = MustMap(strip, RequestFor("rectangle", domain, options));
-  EXPECT_NEAR(*map.certificate.polygon->conformal_modulus, 3, 1e-9);
+  const SurfaceMap map = MustMap(strip, RequestFor("rectangle", domain));
+  EXPECT_NEAR(*map.certificate.polygon->conformal_modulus, 3, 1e-14);
   for (Index h = 0; h < strip.triangulation.num_halfedges(); ++h) {
     const Eigen::Vector3d& p = strip.position[strip.triangulation.vertex[h]];
-    EXPECT_NEAR(map.uv.value[h].x(), p.x() / 4, 1e-9);
-    EXPECT_NEAR(map.uv.value[h].y(), p.y() / 4, 1e-9);
+    EXPECT_NEAR(map.uv.value[h].x(), p.x() / 4, 1e-14);
+    EXPECT_NEAR(map.uv.value[h].y(), p.y() / 4, 1e-14);
   }
 }
 

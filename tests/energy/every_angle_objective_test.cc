@@ -43,11 +43,11 @@ TEST_P(EveryAngleObjective, ConjugateMaximiserBeatsEveryOtherPoint) {
   for (const auto& ref : kReferences) {
     for (const auto& s : kSlopes) {
       const EdgeConjugate g = At(ref, s[0], s[1]);
-      const double margin = objective_->Margin(kEps);
-      if (margin >= 0) {
-        EXPECT_GE(g.alpha_l, margin - 1e-15);
-        EXPECT_GE(g.alpha_r, margin - 1e-15);
-        EXPECT_LE(g.alpha_l + g.alpha_r, kPi - margin + 1e-15);
+      const EdgeMargins margins = objective_->Margins(ref[0], ref[1], kEps);
+      if (margins.theta >= 0) {
+        EXPECT_GE(g.alpha_l, margins.l - 1e-15);
+        EXPECT_GE(g.alpha_r, margins.r - 1e-15);
+        EXPECT_LE(g.alpha_l + g.alpha_r, kPi - margins.theta + 1e-15);
       }
       for (double a = kEps; a < kPi; a += 0.09) {
         for (double b = kEps; a + b <= kPi - kEps; b += 0.09) {
@@ -76,6 +76,24 @@ TEST_P(EveryAngleObjective, ConjugateDerivativesAreItsMaximiserAndThatsDerivativ
       EXPECT_GE(g.h_ll * g.h_rr, g.h_lr * g.h_lr * (1 - 1e-12));
     }
   }
+}
+
+TEST_P(EveryAngleObjective, MarginsAreEpsilonButWhereTheReferenceIsLess) {
+  const double largest = objective_->Margin(kEps);
+  if (largest <= 0) {
+    const EdgeMargins none = objective_->Margins(1e-3, 3, kEps);
+    for (const double margin : {none.l, none.r, none.theta}) EXPECT_EQ(margin, largest);
+    return;
+  }
+  const EdgeMargins wide = objective_->Margins(0.7, 1.9, kEps);
+  for (const double margin : {wide.l, wide.r, wide.theta}) EXPECT_EQ(margin, kEps);
+  const EdgeMargins narrow = objective_->Margins(0.06, kPi - 0.07, kEps);
+  EXPECT_DOUBLE_EQ(narrow.l, 0.03);
+  EXPECT_EQ(narrow.r, kEps);
+  EXPECT_EQ(narrow.theta, kEps);
+  EXPECT_EQ(objective_->Margins(0, 1, kEps).l, kLeastCornerMargin);
+  EXPECT_DOUBLE_EQ(objective_->Margins(0.02, kEps).l, 0.01);
+  EXPECT_EQ(objective_->Margins(kPi - 0.02, kEps).theta, kEps);
 }
 
 TEST_P(EveryAngleObjective, BoundaryConjugateIsConsistent) {

@@ -171,19 +171,6 @@ TEST(CirclePatternsFlags, MistakesAreToldBeforeAnyMeshIsRead) {
   EXPECT_TRUE(Parsed({"-io", "/no/such/mesh.obj", "-oo", "out.obj"}).ok());
 }
 
-TEST(CirclePatternsFlags, OptionsThatAreNotGivenAreAsTheDomainRecommends) {
-  const auto objective = [](const std::vector<std::string>& flags) {
-    std::vector<std::string> arguments = {"-io", "a.obj", "-oo", "b.obj"};
-    arguments.insert(arguments.end(), flags.begin(), flags.end());
-    CirclePatternsFlags parsed;
-    EXPECT_TRUE(parsed.Parse(arguments).ok());
-    return parsed.Job()->options.angle_objective;
-  };
-  EXPECT_EQ(objective({}), "quadratic");
-  EXPECT_EQ(objective({"--domain=sphere"}), "entropy");
-  EXPECT_EQ(objective({"--domain=sphere", "--angle_objective=quadratic"}), "quadratic");
-}
-
 StatusOr<ExperimentConfig> ConfigOf(const std::string& method) {
   const TemporaryFolder folder;
   return LoadConfig(folder.Write(
@@ -205,28 +192,6 @@ TEST(OptionLoops, FlagsAndKeysLeaveTheSameToEveryDomain) {
                 ParameterizeOptionTable().Values(flags.Job()->options));
     }
   }
-}
-
-TEST(OptionLoops, WhatADomainRecommendsInAConfigIsNoted) {
-  const auto config = ConfigOf("{name: a, domain: [plane, sphere], epsilon: [1e-3, 1e-4]}");
-  ASSERT_TRUE(config.ok()) << config.status().message();
-  EXPECT_THAT(config->notes,
-              testing::UnorderedElementsAre(
-                  "a,domain=sphere,epsilon=1e-3: angle_objective: entropy, as the domain sphere "
-                  "recommends",
-                  "a,domain=sphere,epsilon=1e-4: angle_objective: entropy, as the domain sphere "
-                  "recommends"));
-  for (const PlannedRun& run : config->runs) {
-    const bool recommended = run.method.domain == "sphere";
-    EXPECT_EQ(run.method.options.angle_objective, recommended ? "entropy" : "quadratic");
-    EXPECT_EQ(run.method.recommended,
-              recommended ? OptionMap({{"angle_objective", "entropy"}}) : OptionMap());
-  }
-  const auto told = ConfigOf("{name: a, domain: sphere, angle_objective: barrier}");
-  ASSERT_TRUE(told.ok()) << told.status().message();
-  EXPECT_EQ(told->runs[0].method.options.angle_objective, "barrier");
-  EXPECT_TRUE(told->runs[0].method.recommended.empty());
-  EXPECT_TRUE(told->notes.empty());
 }
 
 TEST(CirclePatternsFlags, OldNamesStandForTheNewOnes) {

@@ -170,16 +170,6 @@ TEST(ReportPage, NamesAndMessagesAreEscaped) {
   EXPECT_THAT(html, HasSubstr("Is 1 &lt; 2?"));
 }
 
-TEST(ReportPage, OptionsThatADomainRecommendedAreNamed) {
-  nlohmann::json record = ReportRecord("a", "m", 1);
-  const std::string plain = ReportHtml("t", ResultsOf({record}), ShownMaps());
-  EXPECT_THAT(plain, Not(HasSubstr("as domains recommend")));
-  record["method"]["recommended"] = {{"angle_objective", "entropy"}};
-  const std::string html = ReportHtml("t", ResultsOf({record}), ShownMaps());
-  EXPECT_THAT(html, HasSubstr("options as domains recommend them</th>"
-                              "<td>angle_objective entropy</td>"));
-}
-
 TEST(ReportPage, NeedsNoOtherFile) {
   const std::string html = ReportHtml("t", ResultsOf({ReportRecord("a", "m", 1)}), ShownMaps());
   for (const std::string outside : {"http://", "https://", "<script src", "@import", "url("}) {

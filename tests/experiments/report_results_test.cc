@@ -53,8 +53,6 @@ TEST(ReportResults, WhoChoseAnOptionMakesNoOtherRun) {
   const Results results = ResultsOf({earlier, later});
   ASSERT_EQ(results.runs.size(), 1u);
   EXPECT_EQ(results.runs[0].seconds, 2);
-  EXPECT_EQ(TextAt(results.runs[0].record, "/method/recommended"),
-            R"({"angle_objective":"entropy"})");
 }
 
 TEST(ReportResults, RaisedLimitReplacesTheRecordOfItsKey) {

@@ -215,7 +215,6 @@ TEST(RunExperimentReadyRuns, KeepTheirBytesAndDigits) {
   run.method.options.epsilon = 0.1 + 0.2;
   run.method.options.radii_solver = "newton_cg";
   run.method.domain = "disk";
-  run.method.recommended = {{"angle_objective", "entropy"}};
   run.mesh.family = "torus";
   run.mesh.subdivisions = 3;
   run.reference = true;
@@ -238,7 +237,6 @@ TEST(RunExperimentReadyRuns, KeepTheirBytesAndDigits) {
   EXPECT_EQ(ready->run.mesh.subdivisions, 3);
   EXPECT_EQ(ready->run.mesh.family, "torus");
   EXPECT_EQ(ready->run.method.domain, "disk");
-  EXPECT_EQ(ready->run.method.recommended, run.method.recommended);
   EXPECT_EQ(ready->mesh.path, "/b/\x80");
   EXPECT_EQ(ready->folder, "/c");
   EXPECT_EQ(ready->provenance["code"], "x");

@@ -81,16 +81,6 @@ void CheckRuns(const ExperimentConfig& config, Diagnostics* problems) {
   }
 }
 
-/// What methods do because their domain recommends it.
-void NoteRecommendations(const std::vector<MethodSpec>& methods, std::vector<std::string>* notes) {
-  for (const MethodSpec& method : methods) {
-    for (const auto& [option, value] : method.recommended) {
-      notes->push_back(fmt::format("{}: {}: {}, as the domain {} recommends", method.name, option,
-                                   value, method.domain));
-    }
-  }
-}
-
 void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* config) {
   const std::string root = RootOf(config->path);
   const auto seeds = ReadSeeds(document["seeds"], document["meshes"], problems);
@@ -105,7 +95,6 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   }
   config->question = document["question"].Scalar();
   config->notes = std::move(entries.notes);
-  NoteRecommendations(methods, &config->notes);
   config->runs = PlanRuns(entries.meshes, methods, repeats);
   const std::string output = TextOr(document, "output", "results/runs/" + config->name);
   config->output = (fs::path(root) / output).lexically_normal().string();

@@ -46,13 +46,8 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
     }
     if (varies) method.name += fmt::format(",{}={}", key, value);
   }
-  const Domain domain = *Domains().Find(method.domain);
-  auto options = domain.OptionsWith(given);
-  CHECK(options.ok()) << options.status().message();  // the schema has let it pass
-  method.options = *std::move(options);
-  method.recommended = domain.Recommendations();
-  std::erase_if(method.recommended,
-                [&given](const auto& option) { return given.contains(option.first); });
+  const Status status = ParameterizeOptionTable().Set(given, &method.options);
+  CHECK(status.ok()) << status.message();  // the schema has let it pass
   return method;
 }
 

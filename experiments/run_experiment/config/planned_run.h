@@ -28,7 +28,6 @@ struct MethodSpec {
   std::string name;  ///< unique within a config
   ParameterizeOptions options;
   std::string domain = "plane";  ///< a name of Domains()
-  OptionMap recommended = {};    ///< those of `options` that the domain, not the config, has chosen
 };
 
 /// What a run may take before it is ended; 0: anything.

@@ -103,24 +103,11 @@ Schema MeshFields() {
   };
 }
 
-/// " (sphere: angle_objective entropy)": where domains recommend other than the defaults.
-std::string RecommendationsOfAll() {
-  std::vector<std::string> texts;
-  for (const std::string& name : Domains().Names()) {
-    for (const auto& [option, value] : Domains().Find(name)->Recommendations()) {
-      texts.push_back(fmt::format("{}: {} {}", name, option, value));
-    }
-  }
-  return texts.empty() ? "" : " (" + Join(texts, "; ") + ")";
-}
-
 /// The entries of `methods`.
 Schema MethodSchema() {
   Schema schema = {{.path = "methods.name", .help = "its name in tables", .required = true},
                    {.path = "methods.domain",
-                    .help = "what surfaces are mapped to; vertices that a shape needs are chosen, "
-                            "options that are not given are as the domain recommends" +
-                            RecommendationsOfAll(),
+                    .help = "what surfaces are mapped to; vertices that a shape needs are chosen",
                     .default_text = MethodSpec().domain,
                     .matrix = true,
                     .choices = Domains().Names()}};

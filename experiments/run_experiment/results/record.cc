@@ -111,7 +111,6 @@ Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMe
       {"seconds", NumbersJson(SecondsOf(result.certificate))},
       {"provenance", provenance},
   };
-  if (!run.method.recommended.empty()) record["method"]["recommended"] = run.method.recommended;
   if (!run.measures.empty()) record["measures"] = run.measures;
   if (result.cpu_seconds > 0) {
     record["cpu_seconds"] = result.cpu_seconds;

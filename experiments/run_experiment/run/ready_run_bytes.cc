@@ -29,11 +29,10 @@ MeshSpec MeshFromJson(const nlohmann::json& json) {
           json.at("known_boundary"), json.at("family"),    json.at("subdivisions")};
 }
 
-MethodSpec MethodFromJson(const nlohmann::json& json, const nlohmann::json& recommended) {
+MethodSpec MethodFromJson(const nlohmann::json& json) {
   MethodSpec method;
   method.name = json.at("name");
   method.domain = json.at("domain");
-  method.recommended = recommended;
   for (const auto& option : ParameterizeOptionTable().options()) {
     const nlohmann::json& value = json.at(option.info().name);
     const Status status =
@@ -46,20 +45,14 @@ MethodSpec MethodFromJson(const nlohmann::json& json, const nlohmann::json& reco
 nlohmann::json RunToJson(const PlannedRun& run) {
   const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = run;
   const auto& [seconds, memory_mib] = limits;
-  return {{"mesh", MeshToJson(mesh)},
-          {"method", MethodJson(method)},
-          {"recommended", method.recommended},
-          {"repeat", repeat},
-          {"measures", measures},
-          {"seconds", seconds},
-          {"memory_mib", memory_mib},
-          {"keep_map", keep_map},
-          {"reference", reference}};
+  return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
+          {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
+          {"keep_map", keep_map},     {"reference", reference}};
 }
 
 PlannedRun RunFromJson(const nlohmann::json& json) {
   return {MeshFromJson(json.at("mesh")),
-          MethodFromJson(json.at("method"), json.at("recommended")),
+          MethodFromJson(json.at("method")),
           json.at("repeat"),
           json.at("measures"),
           {json.at("seconds"), json.at("memory_mib")},

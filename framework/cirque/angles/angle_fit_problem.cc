@@ -21,44 +21,49 @@ class InequalityCheck {
  public:
   InequalityCheck(const AngleFitProblem& problem, const AngleObjective& objective,
                   const Eigen::VectorXd& alpha, const Eigen::VectorXd& y)
-      : problem_(problem),
-        objective_(objective),
-        alpha_(alpha),
-        y_(y),
-        margin_(objective.Margin(problem.epsilon)) {}
+      : problem_(problem), objective_(objective), alpha_(alpha), y_(y) {}
 
   void AddEdge(Index l, Index r) {
     if (r == kNone) return AddBoundaryEdge(l);
+    const EdgeMargins margin = MarginsOf(problem_, objective_, l);
     const double theta = kPi - alpha_[l] - alpha_[r];
     const double excess_l = Excess(l, theta, kPi - problem_.reference[l] - problem_.reference[r]);
     const double excess_r = Excess(r, theta, kPi - problem_.reference[l] - problem_.reference[r]);
-    if (margin_ < 0) return AddFree(excess_l), AddFree(excess_r);
-    if (theta >= alpha_[l] && theta >= alpha_[r]) {
-      Add(-excess_l, alpha_[l]);
-      Add(-excess_r, alpha_[r]);
+    if (margin.theta < 0) return AddFree(excess_l), AddFree(excess_r);
+    const double slack_l = alpha_[l] - margin.l, slack_r = alpha_[r] - margin.r;
+    const double slack = theta - margin.theta;
+    violation_ = std::max({violation_, -slack_l, -slack_r, -slack});
+    if (slack >= slack_l && slack >= slack_r) {
+      Add(-excess_l, slack_l);
+      Add(-excess_r, slack_r);
       return;
     }
-    const bool left_is_free = alpha_[l] >= alpha_[r];
+    const bool left_is_free = slack_l >= slack_r;
     const double mu = left_is_free ? excess_l : excess_r;
-    Add(mu, theta);
-    Add(mu - (left_is_free ? excess_r : excess_l), left_is_free ? alpha_[r] : alpha_[l]);
+    Add(mu, slack);
+    Add(mu - (left_is_free ? excess_r : excess_l), left_is_free ? slack_r : slack_l);
   }
 
   void Add(const InequalityCheck& other) {
     dual_infeasibility_ = Worse(dual_infeasibility_, other.dual_infeasibility_);
     complementarity_ = Worse(complementarity_, other.complementarity_);
     largest_slope_ = std::max(largest_slope_, other.largest_slope_);
+    violation_ = std::max(violation_, other.violation_);
   }
 
   double dual_infeasibility() const { return dual_infeasibility_ / (1 + largest_slope_); }
   double complementarity() const { return complementarity_; }
+  double violation() const { return violation_; }
 
  private:
   void AddBoundaryEdge(Index h) {
+    const EdgeMargins margin = MarginsOf(problem_, objective_, h);
     const double theta = kPi - alpha_[h];
     const double excess = Excess(h, theta, kPi - problem_.reference[h]);
-    if (margin_ < 0) return AddFree(excess);
-    theta < alpha_[h] ? Add(excess, theta) : Add(-excess, alpha_[h]);
+    if (margin.theta < 0) return AddFree(excess);
+    const double slack_alpha = alpha_[h] - margin.l, slack_theta = theta - margin.theta;
+    violation_ = std::max({violation_, -slack_alpha, -slack_theta});
+    slack_theta < slack_alpha ? Add(excess, slack_theta) : Add(-excess, slack_alpha);
   }
 
   /// (A'y - grad phi)_h.
@@ -73,10 +78,10 @@ class InequalityCheck {
     return target - gradient;
   }
 
-  /// A multiplier with the angle that it holds above the margin.
-  void Add(double multiplier, double angle) {
+  /// A multiplier with what is left to the margin that it holds.
+  void Add(double multiplier, double slack) {
     dual_infeasibility_ = Worse(dual_infeasibility_, -multiplier);
-    complementarity_ = Worse(complementarity_, std::abs(multiplier * (angle - margin_)));
+    complementarity_ = Worse(complementarity_, std::abs(multiplier * slack));
   }
 
   /// Without inequalities the whole excess is an error.
@@ -88,8 +93,7 @@ class InequalityCheck {
   const AngleObjective& objective_;
   const Eigen::VectorXd& alpha_;
   const Eigen::VectorXd& y_;
-  const double margin_;
-  double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0;
+  double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0, violation_ = 0;
 };
 
 double RangeComplementarity(const AngleConstraints& constraints, const Eigen::VectorXd& alpha,
@@ -105,6 +109,13 @@ double RangeComplementarity(const AngleConstraints& constraints, const Eigen::Ve
 }
 
 }  // namespace
+
+EdgeMargins MarginsOf(const AngleFitProblem& problem, const AngleObjective& objective, Index h) {
+  const Index g = problem.constraints.triangulation().twin[h];
+  return g == kNone
+             ? objective.Margins(problem.reference[h], problem.epsilon)
+             : objective.Margins(problem.reference[h], problem.reference[g], problem.epsilon);
+}
 
 double KktReport::RelativeGap() const { return std::abs(primal - dual) / (1 + std::abs(primal)); }
 
@@ -132,10 +143,6 @@ KktReport CheckFeasibility(const AngleConstraints& constraints, const Eigen::Vec
 KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objective,
                    const Eigen::VectorXd& alpha, const Eigen::VectorXd& y) {
   KktReport report = CheckFeasibility(problem.constraints, alpha);
-  const double margin = objective.Margin(problem.epsilon);
-  report.inequality_violation =
-      margin < 0 ? 0
-                 : std::max({0.0, margin - report.smallest_angle, margin - report.smallest_theta});
   // The energy shares the objective for the length of this call only: an aliasing pointer owns
   // nothing.
   const std::shared_ptr<const AngleObjective> borrowed(std::shared_ptr<void>(), &objective);
@@ -154,6 +161,7 @@ KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objecti
     }
   });
   for (const InequalityCheck& part : of_block) check.Add(part);
+  report.inequality_violation = check.violation();
   report.dual_infeasibility = check.dual_infeasibility();
   report.complementarity =
       Worse(check.complementarity(), RangeComplementarity(problem.constraints, alpha, y)) /

@@ -20,9 +20,12 @@ struct AngleFitProblem {
                                            ///< null: 0. Solvers need not use them
 };
 
+/// The margins of the edge of halfedge h, which is on its left.
+EdgeMargins MarginsOf(const AngleFitProblem& problem, const AngleObjective& objective, Index h);
+
 /// How nearly angles alpha and multipliers y satisfy the optimality conditions of an angle fit: the
-/// same for every solver, so that solvers can be compared. With m the objective's margin,
-/// s = A alpha, phi the objective; angles in radians.
+/// same for every solver, so that solvers can be compared. With m the margins of the edge's
+/// Q_e, s = A alpha, phi the objective; angles in radians.
 ///
 /// At an edge, stationarity
 ///   A'y - grad phi(alpha) = mu (1, 1) - (lambda_l, lambda_r)
@@ -34,7 +37,7 @@ struct KktReport {
   double vertex_sum_residual = kUnset;    ///< max_v distance of s_v from its target interval
   double smallest_angle = kUnset;         ///< min alpha
   double smallest_theta = kUnset;         ///< min over edges of theta
-  double inequality_violation = kUnset;   ///< max(0, m - min alpha, m - min theta); 0 without Q_e
+  double inequality_violation = kUnset;   ///< max(0, m - alpha, m - theta); 0 without Q_e
 
   double primal = kUnset;  ///< sum_e phi_e(alpha)
   double dual = kUnset;    ///< b.y - sum_e g_e((A'y)_e): a lower bound of every feasible primal

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cirque/energy/edge_block_assembler.h"
+#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 namespace {
@@ -12,30 +13,40 @@ constexpr double kRoom = 0.05;  ///< [rad]: what InteriorPoint leaves to every i
 }  // namespace
 
 AngleProgram::AngleProgram(const AngleFitProblem& problem, const AngleObjective& objective)
-    : constraints_(problem.constraints) {
+    : constraints_(problem.constraints), objective_(objective) {
   const Triangulation& t = constraints_.triangulation();
   for (int row = t.num_faces(); row < constraints_.num_rows(); ++row) {
     if (constraints_.Lower(row) < constraints_.Upper(row)) ranged_row_.push_back(row);
   }
   const int angles = t.num_halfedges(), variables = angles + static_cast<int>(ranged_row_.size());
-  weight_ = centre_ = Eigen::VectorXd::Zero(variables);
+  slope_ = weight_ = centre_ = Eigen::VectorXd::Zero(variables);
   partner_.assign(variables, kNone);
   for (Index h = 0; h < angles; ++h) {
     centre_[h] = objective.ClampReference(problem.reference[h], problem.epsilon);
-    weight_[h] = objective.Distance(centre_[h], centre_[h]).curvature;
     partner_[h] = t.twin[h];
   }
-  const double margin = objective.Margin(problem.epsilon);
-  if (margin >= 0) {
-    for (const Index h : t.edge_halfedge) AddEdge(h, t.twin[h], margin);
+  for (const Index h : t.edge_halfedge) {
+    const EdgeMargins margins = MarginsOf(problem, objective, h);
+    if (margins.theta >= 0) AddEdge(h, t.twin[h], margins);
   }
   for (int i = angles; i < variables; ++i) AddRange(i, ranged_row_[i - angles]);
+  Linearize(centre_);
 }
 
-void AngleProgram::AddEdge(Index l, Index r, double margin) {
-  inequalities_.push_back({l, kNone, 1, margin});
-  if (r != kNone) inequalities_.push_back({r, kNone, 1, margin});
-  inequalities_.push_back({l, r, -1, margin - kPi});
+void AngleProgram::Linearize(const Eigen::VectorXd& x) {
+  const int angles = constraints_.triangulation().num_halfedges();
+  value_ = ParallelSum(angles, [&](Index h) {
+    const ScalarJet jet = objective_.Distance(centre_[h], x[h]);
+    slope_[h] = jet.slope;
+    weight_[h] = jet.curvature;
+    return jet.value;
+  });
+}
+
+void AngleProgram::AddEdge(Index l, Index r, const EdgeMargins& margins) {
+  inequalities_.push_back({l, kNone, 1, margins.l});
+  if (r != kNone) inequalities_.push_back({r, kNone, 1, margins.r});
+  inequalities_.push_back({l, r, -1, margins.theta - kPi});
 }
 
 void AngleProgram::AddRange(int variable, int row) {

@@ -10,21 +10,27 @@
 
 namespace cirque {
 
-/// A quadratic angle fit written out:
-///   minimise sum_i w_i / 2 (x_i - c_i)^2   subject to   B x = b,   G x >= h.
-/// x holds the 3F angles and after them a variable t in [lower, upper] (weight 0) for every ranged
+/// An angle fit of an objective that measures corner angles only, written out:
+///   minimise sum_i delta(x_i; c_i)   subject to   B x = b,   G x >= h.
+/// x holds the 3F angles and after them a variable t in [lower, upper] (delta = 0) for every ranged
 /// vertex, whose row of B then says: angle sum - t = 0. A row of G has one or two equal entries +-1
 /// and touches one edge's angles, or one t.
 class AngleProgram {
  public:
-  /// The program of a fit. Its constraints must outlive the program.
-  /// @pre the objective is quadratic: Distance has the same curvature everywhere.
+  /// The program of a fit, linearised at the centre. Constraints and objective must outlive it.
+  /// @pre not objective.MeasuresTheta().
   AngleProgram(const AngleFitProblem& problem, const AngleObjective& objective);
 
   int num_variables() const { return static_cast<int>(weight_.size()); }
   int num_inequalities() const { return static_cast<int>(inequalities_.size()); }
-  const Eigen::VectorXd& weight() const { return weight_; }
   const Eigen::VectorXd& centre() const { return centre_; }
+
+  /// Takes value, slope (delta') and weight (delta'') at x. @pre x lies in the objective's domain.
+  void Linearize(const Eigen::VectorXd& x);
+
+  double value() const { return value_; }
+  const Eigen::VectorXd& slope() const { return slope_; }
+  const Eigen::VectorXd& weight() const { return weight_; }
 
   Eigen::VectorXd EqualityResidual(const Eigen::VectorXd& x) const;  ///< B x - b
   Eigen::VectorXd Slacks(const Eigen::VectorXd& x) const;            ///< G x - h
@@ -61,11 +67,13 @@ class AngleProgram {
     double sign, bound;
   };
 
-  void AddEdge(Index l, Index r, double margin);
+  void AddEdge(Index l, Index r, const EdgeMargins& margins);
   void AddRange(int variable, int row);
 
   const AngleConstraints& constraints_;
-  Eigen::VectorXd weight_, centre_;
+  const AngleObjective& objective_;
+  Eigen::VectorXd centre_, slope_, weight_;
+  double value_ = 0;
   std::vector<int> partner_;     ///< the other angle of a variable's edge, or kNone
   std::vector<int> ranged_row_;  ///< the row of each t
   std::vector<Inequality> inequalities_;

@@ -135,13 +135,13 @@ class AugmentedLagrangianSolve final : public ceres::IterationCallback {
       residual = std::max(residual, std::max(excess, -*multiplier / state_.penalty));
       *multiplier = std::max(0.0, *multiplier + state_.penalty * excess);
     };
-    for (Index h = 0; h < t_.num_halfedges() && margin_ > 0; ++h) {
-      update(margin_ - alpha_[h], &state_.of_lower[h]);
-    }
     for (Index e = 0; e < t_.num_edges() && margin_ > 0; ++e) {
-      const Index l = t_.edge_halfedge[e];
-      const double opposite = t_.twin[l] == kNone ? 0 : alpha_[t_.twin[l]];
-      update(alpha_[l] + opposite - (kPi - margin_), &state_.of_sums[e]);
+      const Index l = t_.edge_halfedge[e], r = t_.twin[l];
+      const EdgeMargins margins = MarginsOf(fit_, objective_, l);
+      update(margins.l - alpha_[l], &state_.of_lower[l]);
+      if (r != kNone) update(margins.r - alpha_[r], &state_.of_lower[r]);
+      const double opposite = r == kNone ? 0 : alpha_[r];
+      update(alpha_[l] + opposite - (kPi - margins.theta), &state_.of_sums[e]);
     }
     Judge(residual);
   }

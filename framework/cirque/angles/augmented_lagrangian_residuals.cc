@@ -115,15 +115,15 @@ class Builder {
         objective_(objective),
         state_(state),
         alpha_(alpha),
-        problem_(*problem),
-        margin_(objective.Margin(fit.epsilon)) {}
+        problem_(*problem) {}
 
   void AddCorner(Index h) {
     problem_.AddParameterBlock(&alpha_[h], 1);
     problem_.AddResidualBlock(new CornerResidual(objective_, Clamped(fit_.reference[h])), nullptr,
                               &alpha_[h]);
-    if (!(margin_ > 0)) return;
-    problem_.AddResidualBlock(new LimitResidual<1>(-1, margin_, state_.of_lower[h], state_),
+    const EdgeMargins margins = MarginsOf(fit_, objective_, h);
+    if (!(margins.l > 0)) return;
+    problem_.AddResidualBlock(new LimitResidual<1>(-1, margins.l, state_.of_lower[h], state_),
                               nullptr, &alpha_[h]);
   }
 
@@ -158,11 +158,11 @@ class Builder {
       problem_.AddResidualBlock(new ThetaResidual<kOnes...>(objective_, Clamped(theta_reference)),
                                 nullptr, angles...);
     }
-    if (margin_ > 0) {
-      problem_.AddResidualBlock(
-          new LimitResidual<kOnes...>(1, kPi - margin_, state_.of_sums[e], state_), nullptr,
-          angles...);
-    }
+    const double margin = MarginsOf(fit_, objective_, t_.edge_halfedge[e]).theta;
+    if (!(margin > 0)) return;
+    problem_.AddResidualBlock(
+        new LimitResidual<kOnes...>(1, kPi - margin, state_.of_sums[e], state_), nullptr,
+        angles...);
   }
 
   double Clamped(double reference) const {
@@ -175,7 +175,6 @@ class Builder {
   const AugmentedState& state_;
   double* alpha_;
   ceres::Problem& problem_;
-  const double margin_;
 };
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "cirque/angles/angle_program.h"
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/solve_summary.h"
-#include "cirque/energy/angle_objectives.h"
 #include "cirque/linear/registry.h"
 
 namespace cirque {
@@ -39,10 +38,10 @@ struct Point {
 
 class InteriorPointSolve {
  public:
-  InteriorPointSolve(const AngleProgram& program, const AngleConstraints& constraints,
+  InteriorPointSolve(AngleProgram* program, const AngleConstraints& constraints,
                      const InteriorPointOptions& options, const SolveControl& control,
                      InfeasibilityWatch* watch)
-      : program_(program),
+      : program_(*program),
         constraints_(constraints),
         options_(options),
         control_(control),
@@ -54,7 +53,7 @@ class InteriorPointSolve {
   SolveSummary Run() {
     Start();
     while (Continue()) Iterate();
-    summary_.final_value = Objective();
+    summary_.final_value = program_.value();
     summary_.final_gradient_max = MaxNorm(equality_);
     summary_.total_seconds = timer_.Seconds();
     return std::move(summary_);
@@ -68,23 +67,20 @@ class InteriorPointSolve {
  private:
   void Start() {
     at_.x = program_.InteriorPoint();
+    program_.Linearize(at_.x);
     at_.y = Eigen::VectorXd::Zero(constraints_.num_rows());
     at_.s = program_.Slacks(at_.x).cwiseMax(1e-3);
     const double scale = 1e-2 * (1e-2 + program_.weight().cwiseMin(1e2).mean());
     at_.z = scale * at_.s.cwiseInverse();
     ComputeResiduals();
-    summary_.initial_value = Objective();
+    summary_.initial_value = program_.value();
     summary_.initial_gradient_max = MaxNorm(equality_);
-  }
-
-  double Objective() const {
-    return 0.5 * program_.weight().dot((at_.x - program_.centre()).cwiseAbs2());
   }
 
   void ComputeResiduals() {
     const Timer timer;
-    stationarity_ = program_.weight().cwiseProduct(at_.x - program_.centre()) -
-                    program_.ApplyTransposedB(at_.y) - program_.ApplyTransposedG(at_.z);
+    stationarity_ =
+        program_.slope() - program_.ApplyTransposedB(at_.y) - program_.ApplyTransposedG(at_.z);
     equality_ = program_.EqualityResidual(at_.x);
     inequality_ = program_.Slacks(at_.x) - at_.s;
     // Slacks become much smaller than the rounding of angles, and must not be corrected by it.
@@ -94,11 +90,11 @@ class InteriorPointSolve {
   }
 
   bool IsOptimal() const {
-    const double slope_scale = 1 + MaxNorm(at_.y) + program_.weight().maxCoeff();
+    const Eigen::VectorXd slope_scale = program_.weight().array() + 1 + MaxNorm(at_.y);
     return MaxNorm(equality_) <= options_.feasibility_tolerance &&
            MaxNorm(inequality_) <= options_.feasibility_tolerance &&
-           MaxNorm(stationarity_) <= options_.feasibility_tolerance * slope_scale &&
-           at_.s.dot(at_.z) <= options_.gap_tolerance * (1 + std::abs(Objective()));
+           MaxNorm(stationarity_.cwiseQuotient(slope_scale)) <= options_.feasibility_tolerance &&
+           at_.s.dot(at_.z) <= options_.gap_tolerance * (1 + std::abs(program_.value()));
   }
 
   bool Continue() {
@@ -199,13 +195,14 @@ class InteriorPointSolve {
     at_.y += step * d.y;
     at_.s += step * d.s;
     at_.z += step * d.z;
+    program_.Linearize(at_.x);
     ComputeResiduals();
   }
 
   void Record(double step) {
     IterationRecord record;
     record.iteration = summary_.num_iterations() + 1;
-    record.value = Objective();
+    record.value = program_.value();
     record.gradient_max = std::max(MaxNorm(equality_), MaxNorm(stationarity_));
     record.step_length = step;
     record.seconds = timer_.Seconds();
@@ -218,7 +215,7 @@ class InteriorPointSolve {
     }
   }
 
-  const AngleProgram& program_;
+  AngleProgram& program_;
   const AngleConstraints& constraints_;
   const InteriorPointOptions& options_;
   const SolveControl& control_;
@@ -251,14 +248,14 @@ const OptionTable<InteriorPointOptions>& InteriorPointOptionTable() {
 Status InteriorPointAngleSolver::Fit(const AngleFitProblem& problem,
                                      const std::shared_ptr<const AngleObjective>& objective,
                                      const SolveControl& control, AngleFitResult* result) const {
-  if (dynamic_cast<const QuadraticObjective*>(objective.get()) == nullptr) {
+  if (objective->MeasuresTheta()) {
     return Status::InvalidInput(
-        "interior_point fits quadratic objectives only (quadratic, weighted_quadratic, "
-        "least_squares): use another angle solver for this objective");
+        "interior_point fits objectives of corner angles only, such as quadratic and entropy, not "
+        "barrier: use another angle solver for this objective");
   }
-  const AngleProgram program(problem, *objective);
+  AngleProgram program(problem, *objective);
   InfeasibilityWatch watch(problem.constraints, objective->Margin(problem.epsilon));
-  InteriorPointSolve solve(program, problem.constraints, options_, control, &watch);
+  InteriorPointSolve solve(&program, problem.constraints, options_, control, &watch);
   result->solve = solve.Run();
   return FinishFit(problem, *objective, watch.certificate(), solve.Angles(), solve.multipliers(),
                    result);

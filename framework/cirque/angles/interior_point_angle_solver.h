@@ -20,8 +20,8 @@ struct InteriorPointOptions {
 
 const OptionTable<InteriorPointOptions>& InteriorPointOptionTable();
 
-/// Primal-dual interior point with Mehrotra's predictor and corrector for the quadratic objectives
-/// (`quadratic`, `weighted_quadratic`, `least_squares`). With slacks s = G x - h and their
+/// Primal-dual interior point with Mehrotra's predictor and corrector for objectives of corner
+/// angles only, of second derivative w (all but `barrier`). With slacks s = G x - h and their
 /// multipliers z, D = diag(w) + G' diag(z / s) G is block diagonal by edges, so that each step's
 /// linear system reduces by hand to B D^-1 B' in the multipliers y: as sparse as the dual's
 /// Hessian, positive definite, factored once a step. Ranged vertex sums are variables of their own.

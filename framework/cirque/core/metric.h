@@ -30,13 +30,13 @@ struct ConeTargets {
 ConeTargets FreeBoundaryTargets(const Triangulation& triangulation);
 
 /// Corner angles of a flat Delaunay triangulation:
-///   alpha >= epsilon                          at every corner,
-///   alpha_l + alpha_r <= pi - epsilon         at every interior edge,
+///   alpha >= margin                           at every corner,
+///   alpha_l + alpha_r <= pi - margin          at every interior edge,
 ///   sum of alpha in f = pi                    for every face f,
 ///   sum of alpha at v in [lower_v, upper_v]   for every vertex v.
 struct CoherentAngles {
   Eigen::VectorXd value;  ///< 3F [rad], index = halfedge opposite
-  double epsilon = 0;     ///< the margin that was asked for [rad]
+  double epsilon = 0;     ///< the largest of the margins [rad]; 0: a flat surface as it is
 };
 
 /// F natural logarithms of the circumradii, defined up to one constant.

@@ -46,11 +46,6 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
 Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
                       const SolveControl& control, SurfaceMap* map);
 
-/// The options with which maps to the sphere distort least: the defaults but for angles fitted by
-/// their entropy, whose relative changes keep needles and the dense end of a long limb from paying
-/// for the rest (results/spheres.md).
-ParameterizeOptions SphereParameterizeOptions();
-
 /// Maps the surface to the sphere by a circle pattern: intrinsic Delaunay flips on the closed
 /// surface; the pole's star removed, its link free but convex (angle sums at most pi - epsilon, so
 /// that the edges at the pole intersect properly too); coherent angles close to those of the

@@ -42,8 +42,7 @@ inline constexpr char kVertexUnit[] = "vertex";
 /// The table of its fields.
 const OptionTable<DomainOptions>& DomainOptionTable();
 
-/// What is to be mapped onto what, and how: by the options as they are. Domain::OptionsWith has those that
-/// the domain recommends.
+/// What is to be mapped onto what, and how.
 struct MapRequest : ParameterizeRequest {
   std::string domain = "plane";  ///< a name of Domains()
   DomainOptions shape = {};
@@ -72,17 +71,9 @@ struct Domain {
   std::vector<std::string> gives;
   /// Fills in the map as far as it comes, but for what every map has: MapSurface does that.
   Status (*map)(const Surface&, const MapRequest&, const SolveControl&, SurfaceMap*);
-  ParameterizeOptions recommended = {};  ///< with which its maps distort least
 
   bool Reads(const std::string& option) const;
   bool Gives(const std::string& member) const;
-
-  /// The options that are recommended otherwise than ParameterizeOptions has them.
-  OptionMap Recommendations() const;
-
-  /// The options that are given, by their names in ParameterizeOptionTable(), and all others as
-  /// recommended. Error (invalid input): what the table refuses.
-  StatusOr<ParameterizeOptions> OptionsWith(const OptionMap& given) const;
 };
 
 /// Maps a surface onto a domain: the library's one way from a surface to its map. Errors:

@@ -61,8 +61,7 @@ const Registry<Domain>& Domains() {
                   {"the unit sphere, for closed surfaces of genus 0",
                    {"pole", "normalization", "principal_axes", "inversion", "layout"},
                    {"position"},
-                   MapToSphere,
-                   SphereParameterizeOptions()}},
+                   MapToSphere}},
                  {"disk",
                   {"the unit disk, for topological disks like all that follow",
                    {"centre", "angle_zero", "pole", "normalization"},
@@ -86,20 +85,6 @@ const Registry<Domain>& Domains() {
 bool Domain::Reads(const std::string& option) const { return Contains(reads, option); }
 
 bool Domain::Gives(const std::string& member) const { return Contains(gives, member); }
-
-OptionMap Domain::Recommendations() const {
-  const OptionMap plain = ParameterizeOptionTable().Values({});
-  OptionMap different = ParameterizeOptionTable().Values(recommended);
-  std::erase_if(different,
-                [&](const auto& option) { return plain.at(option.first) == option.second; });
-  return different;
-}
-
-StatusOr<ParameterizeOptions> Domain::OptionsWith(const OptionMap& given) const {
-  ParameterizeOptions options = recommended;
-  const Status status = ParameterizeOptionTable().Set(given, &options);
-  return status.ok() ? StatusOr<ParameterizeOptions>(std::move(options)) : status;
-}
 
 bool IsReadBySomeDomain(const std::string& option) {
   const std::vector<std::string> names = Domains().Names();

@@ -21,6 +21,9 @@ namespace {
 constexpr char kDefaultNormalization[] = "surface_area";
 constexpr Index kMaxPoles = 4;
 constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles goes with epsilon
+/// Circles on one sphere that doubles tell from points have log radii over a range of 36; their
+/// stereographic images, where small ones may lie far out, over twice that.
+constexpr double kGreatestLogRadiusRange = 72;
 
 Status CheckNormalization(const std::string& name) {
   const std::vector<std::string>& known = SphereNormalizations();
@@ -103,7 +106,7 @@ class SphereMapping {
       status = TryPole(poles[i], delaunay);
       const bool may_do_better = status.code() == StatusCode::kNotConverged ||
                                  status.code() == StatusCode::kUnrepresentable;
-      if (!may_do_better || !normalized_) break;
+      if (!may_do_better || !normalized_ || IsBeyondDoubles()) break;
     }
     if (!status.ok()) map_.position.clear();
     return status;
@@ -121,7 +124,8 @@ class SphereMapping {
       const auto flipped = TryLockingFlipped(delaunay);
       if (flipped.ok() && flipped->empty()) return Status();
       const Status& status = flipped.status();
-      if (status.code() == StatusCode::kCancelled || !normalized_) return status;
+      const bool final = status.code() == StatusCode::kCancelled || !normalized_;
+      if (final || IsBeyondDoubles()) return status;
     }
     const Status status = TryOn({t_, lengths_, {}, {}});
     if (!status.ok() || flipped_.empty()) return status;
@@ -160,9 +164,10 @@ class SphereMapping {
     summary_.pole_corners = static_cast<int>(punctured->link.size());
     if (!flat.infeasibility.empty()) NumberAsInFile(surface_, *punctured, &flat.infeasibility);
     map_.certificate.infeasibility = std::move(flat.infeasibility);
+    if (map_.certificate.radii) log_radius_range_ = map_.certificate.radii->log_radius_range;
+    if (IsBeyondDoubles()) return BeyondDoubles();
     if (!status.ok()) return status;
     summary_.delaunay_margin = SphericalDelaunayMargin(plane, flat.on_input.angles.value);
-    log_radius_range_ = flat.log_radii.value.maxCoeff() - flat.log_radii.value.minCoeff();
     return Timed(&seconds_.layout, [&] { return LayOut(*punctured, flat.on_input); });
   }
 
@@ -220,6 +225,19 @@ class SphereMapping {
     return Status();
   }
 
+  /// True of every pole's map then.
+  bool IsBeyondDoubles() const { return log_radius_range_ > kGreatestLogRadiusRange; }
+
+  Status BeyondDoubles() const {
+    return Status(
+        StatusCode::kUnrepresentable,
+        fmt::format(
+            "doubles cannot hold this surface on one sphere, from whichever pole: the radii "
+            "of its circles span e^{:.0f}, as those of long thin limbs do; map it to the "
+            "plane with cones instead (-cones=greedy)",
+            log_radius_range_));
+  }
+
   Status Unrepresentable() const {
     return Status(
         StatusCode::kUnrepresentable,
@@ -246,12 +264,6 @@ class SphereMapping {
 };
 
 }  // namespace
-
-ParameterizeOptions SphereParameterizeOptions() {
-  ParameterizeOptions options;
-  options.angle_objective = "entropy";
-  return options;
-}
 
 Status MapToSphere(const Surface& surface, const MapRequest& request, const SolveControl& control,
                    SurfaceMap* map) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -18,10 +19,15 @@ struct EdgeConjugate {
   double h_ll = 0, h_lr = 0, h_rr = 0;  ///< d alpha / d s
 };
 
+/// The margins of an edge's set Q_e = {alpha_l >= l, alpha_r >= r, alpha_l + alpha_r <= pi - theta}
+/// (boundary: [l, pi - theta]) [rad]; negative: Q_e is everything.
+struct EdgeMargins {
+  double l, r, theta;
+};
+
 /// A convex distance of corner angles from reference angles: a sum over corners of delta(alpha;
 /// alpha0), and over edges of delta(theta; theta0) too where MeasuresTheta() says so, theta = pi -
-/// alpha_l - alpha_r (boundary: pi - alpha), together with the set Q_e = {alpha_l >= eps, alpha_r
-/// >= eps, alpha_l + alpha_r <= pi - eps} (boundary: [eps, pi - eps]) that an edge's angles may
+/// alpha_l - alpha_r (boundary: pi - alpha), together with the set Q_e that an edge's angles may
 /// range over. The dual energy, the primal fits and the KKT report all follow from these functions.
 class AngleObjective {
  public:
@@ -40,11 +46,17 @@ class AngleObjective {
   /// The reference angle that Distance can take: one not positive has none under some objectives.
   virtual double ClampReference(double reference, double /*epsilon*/) const { return reference; }
 
-  /// The margin of Q_e when `epsilon` is asked for; negative: Q_e is everything. Objectives with a
-  /// barrier need none (0).
+  /// The largest margin of a Q_e when `epsilon` is asked for; negative: Q_e is everything.
+  /// Objectives with a barrier need none (0).
   virtual double Margin(double epsilon) const { return epsilon; }
 
-  /// The conjugates over Q_e(Margin(epsilon)) at the slopes s, for raw (unclamped) references.
+  /// The margins of an edge with these raw (unclamped) references: Margin(epsilon), but at a corner
+  /// whose reference is less than twice that only half of it, at least kLeastCornerMargin, so that a
+  /// needle may stay as it is. (A small theta is dear: the errors of the radii grow with 1 / theta.)
+  EdgeMargins Margins(double ref_l, double ref_r, double epsilon) const;
+  EdgeMargins Margins(double ref, double epsilon) const;
+
+  /// The conjugates over Q_e(Margins(...)) at the slopes s, for raw references.
   virtual EdgeConjugate InteriorConjugate(double ref_l, double ref_r, double epsilon, double s_l,
                                           double s_r) const = 0;
   virtual EdgeConjugate BoundaryConjugate(double ref, double epsilon, double s) const = 0;
@@ -56,6 +68,23 @@ class AngleObjective {
 
 /// The table of objectives, one line an entry in registry.cc.
 const Registry<std::shared_ptr<const AngleObjective>>& AngleObjectives();
+
+/// Of Margins [rad].
+inline constexpr double kLeastCornerMargin = 1e-8;
+
+inline EdgeMargins AngleObjective::Margins(double ref_l, double ref_r, double epsilon) const {
+  constexpr double kShare = 0.5;
+  const double largest = Margin(epsilon);
+  if (!(largest > 0)) return {largest, largest, largest};
+  const auto of_corner = [&](double reference) {
+    return std::min(largest, std::max(kLeastCornerMargin, kShare * reference));
+  };
+  return {of_corner(ref_l), of_corner(ref_r), largest};
+}
+
+inline EdgeMargins AngleObjective::Margins(double ref, double epsilon) const {
+  return Margins(ref, 0, epsilon);
+}
 
 inline double AngleObjective::Interior(double ref_l, double ref_r, double epsilon, double alpha_l,
                                        double alpha_r) const {

@@ -9,8 +9,8 @@
 namespace cirque {
 
 /// An objective of corner angles only. From its scalar distance and where that has a given slope,
-/// the conjugates over Q_e follow: clamp each angle to eps; where the two then exceed pi - eps,
-/// move along that side of Q_e to the maximum (a scalar monotone equation) and clamp to its ends.
+/// the conjugates over Q_e follow: clamp each angle to its margin; where the two then exceed pi less
+/// theirs, move along that side of Q_e to the maximum (a scalar monotone equation) and clamp to its ends.
 ///
 /// `Derived` is the objective's own class (class NAME final : public SeparableObjective<NAME>), so
 /// that its functions are known, and inlined, where the conjugates are compiled: an angle fit calls
@@ -26,17 +26,19 @@ class SeparableObjective : public AngleObjective {
 
  private:
   const Derived& own() const { return static_cast<const Derived&>(*this); }
-  EdgeConjugate MaximiseOnSum(double ref_l, double ref_r, double eps, double s_l, double s_r) const;
+  EdgeConjugate MaximiseOnSum(double ref_l, double ref_r, const EdgeMargins& margins, double s_l,
+                              double s_r) const;
 };
 
-/// Maximises s.a - phi(a) over a_l + a_r = pi - eps, both >= eps. With a_l = x: the slope's
+/// Maximises s.a - phi(a) over a_l + a_r = m = pi - theta's margin. With a_l = x: the slope's
 /// difference (s_l - delta'(x)) - (s_r - delta'(m - x)) decreases in x.
 template <class Derived>
-EdgeConjugate SeparableObjective<Derived>::MaximiseOnSum(double ref_l, double ref_r, double eps,
-                                                         double s_l, double s_r) const {
+EdgeConjugate SeparableObjective<Derived>::MaximiseOnSum(double ref_l, double ref_r,
+                                                         const EdgeMargins& margins, double s_l,
+                                                         double s_r) const {
   constexpr int kMaxNewtonSteps = 100;
-  const double sum = kPi - eps;
-  double low = eps, high = sum - eps, x = 0.5 * sum;
+  const double sum = kPi - margins.theta;
+  double low = margins.l, high = sum - margins.r, x = 0.5 * sum;
   const auto excess = [&](double at, double* curvature) {
     const ScalarJet l = own().Distance(ref_l, at), r = own().Distance(ref_r, sum - at);
     *curvature = l.curvature + r.curvature;
@@ -73,16 +75,14 @@ EdgeConjugate SeparableObjective<Derived>::InteriorConjugate(double raw_l, doubl
                                                              double s_r) const {
   const double ref_l = own().ClampReference(raw_l, epsilon),
                ref_r = own().ClampReference(raw_r, epsilon);
-  const double eps = own().Margin(epsilon);
+  const EdgeMargins margins = own().Margins(raw_l, raw_r, epsilon);
+  const bool bounded = margins.theta >= 0;
   const double free_l = own().WithSlope(ref_l, s_l), free_r = own().WithSlope(ref_r, s_r);
   EdgeConjugate g;
-  if (eps < 0) {
-    g.alpha_l = free_l, g.alpha_r = free_r;
-  } else {
-    g.alpha_l = std::max(free_l, eps), g.alpha_r = std::max(free_r, eps);
-  }
-  if (eps >= 0 && g.alpha_l + g.alpha_r > kPi - eps) {
-    g = MaximiseOnSum(ref_l, ref_r, eps, s_l, s_r);
+  g.alpha_l = bounded ? std::max(free_l, margins.l) : free_l;
+  g.alpha_r = bounded ? std::max(free_r, margins.r) : free_r;
+  if (bounded && g.alpha_l + g.alpha_r > kPi - margins.theta) {
+    g = MaximiseOnSum(ref_l, ref_r, margins, s_l, s_r);
   } else {
     g.h_ll = g.alpha_l == free_l ? 1 / own().Distance(ref_l, free_l).curvature : 0;
     g.h_rr = g.alpha_r == free_r ? 1 / own().Distance(ref_r, free_r).curvature : 0;
@@ -95,10 +95,11 @@ EdgeConjugate SeparableObjective<Derived>::InteriorConjugate(double raw_l, doubl
 template <class Derived>
 EdgeConjugate SeparableObjective<Derived>::BoundaryConjugate(double raw, double epsilon,
                                                              double s) const {
-  const double ref = own().ClampReference(raw, epsilon), eps = own().Margin(epsilon);
+  const double ref = own().ClampReference(raw, epsilon);
+  const EdgeMargins margins = own().Margins(raw, epsilon);
   const double free = own().WithSlope(ref, s);
   EdgeConjugate g;
-  g.alpha_l = eps < 0 ? free : std::clamp(free, eps, kPi - eps);
+  g.alpha_l = margins.theta < 0 ? free : std::clamp(free, margins.l, kPi - margins.theta);
   g.h_ll = g.alpha_l == free ? 1 / own().Distance(ref, free).curvature : 0;
   g.value = s * g.alpha_l - own().Distance(ref, g.alpha_l).value;
   return g;

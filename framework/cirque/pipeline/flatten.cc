@@ -17,13 +17,15 @@
 #include "cirque/core/text.h"
 #include "cirque/layout/untangle.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/pipeline/flat_metric.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
-constexpr char kRetry[] = "interior_point";
+constexpr char kRetry[] = "interior_point", kRetryObjective[] = "quadratic";
+constexpr char kFlat[] = "none: the surface is flat";
 
 double Area(const IntrinsicSurface& surface) {
   const Triangulation& t = surface.triangulation;
@@ -132,8 +134,16 @@ class Flattening {
   /// The radii's system is analysed while the angles are fitted, and left with this scope: the
   /// analysis reads a triangulation that the next round replaces.
   Status FitAnglesAndRadii(const SolverStrategy& strategy) {
+    std::optional<IntrinsicSurface> flipped;
+    if (!result_.intrinsic.flips.empty()) {
+      flipped.emplace(MeasureSurface(t(), result_.intrinsic.lengths));
+    }
+    const IntrinsicSurface& solved = flipped ? *flipped : job_.surface;
+    const ConeTargets targets = TransferTargets(job_.surface, targets_, solved);
+    if (const auto flat = FlatMetricOf(solved, targets)) return TakeAsItIs(*flat, targets);
     RadiiSystem system(t(), strategy);
-    if (Status s = Timed([this] { return FitAngles(); }, &StageSeconds::angles); !s.ok()) return s;
+    const auto fit = [&] { return FitAngles(solved, targets); };
+    if (Status s = Timed(fit, &StageSeconds::angles); !s.ok()) return s;
     return Timed([&] { return SolveRadii(strategy, &system); }, &StageSeconds::radii);
   }
 
@@ -151,15 +161,29 @@ class Flattening {
 
   const Triangulation& t() const { return result_.intrinsic.triangulation; }
 
-  Status FitAngles() {
+  /// A flat surface needs no solve.
+  Status TakeAsItIs(const FlatMetric& flat, const ConeTargets& targets) {
+    const AngleConstraints constraints(t(), targets);
+    result_.angles = flat.angles;
+    result_.log_radii = flat.log_radii;
+    result_.multipliers = Eigen::VectorXd::Zero(constraints.num_rows());
+    AngleFitResult fit;
+    fit.angles = flat.angles;
+    fit.kkt = CheckFeasibility(constraints, flat.angles.value);
+    fit.kkt.primal = fit.kkt.dual = 0;
+    fit.solve.strategy = kFlat;
+    Record(fit);
+    LogRadiiResult radii;
+    radii.log_radii = flat.log_radii;
+    radii.gradient_max = 2 * fit.kkt.triangle_sum_residual;
+    radii.solve.strategy = kFlat;
+    Record(radii);
+    return Status();
+  }
+
+  Status FitAngles(const IntrinsicSurface& solved, const ConeTargets& targets) {
     const auto objective = AngleObjectives().Find(options_.angle_objective);
     if (!objective.ok()) return objective.status();
-    std::optional<IntrinsicSurface> flipped;
-    if (!result_.intrinsic.flips.empty()) {
-      flipped.emplace(MeasureSurface(t(), result_.intrinsic.lengths));
-    }
-    const IntrinsicSurface& solved = flipped ? *flipped : job_.surface;
-    const ConeTargets targets = TransferTargets(job_.surface, targets_, solved);
     const AngleConstraints constraints(t(), targets);
     const auto method = MakeAngleSolver(options_.angle_solver, SolverOptions());
     if (!method.ok()) return method.status();
@@ -202,14 +226,19 @@ class Flattening {
   }
 
   /// The dual can wander where no coherent angles exist, or hardly any, before its iterates prove
-  /// it. The interior point then decides, if it takes the objective: angles or a proof.
+  /// it. The interior point then decides: angles or a proof. Which angles there are at all does not
+  /// depend on the objective, if it should be one that the interior point does not take.
   void RetryByInteriorPoint(const AngleFitProblem& problem,
                             const std::shared_ptr<const AngleObjective>& objective,
                             AngleFitResult* fit, Status* status) {
     const auto method = MakeAngleSolver(kRetry);
     if (!method.ok()) return;
     AngleFitResult retried;
-    const Status again = cirque::FitAngles(problem, objective, **method, job_.control, &retried);
+    Status again = cirque::FitAngles(problem, objective, **method, job_.control, &retried);
+    if (again.code() == StatusCode::kInvalidInput) {
+      const auto quadratic = AngleObjectives().Find(kRetryObjective);
+      again = cirque::FitAngles(problem, *quadratic, **method, job_.control, &retried);
+    }
     if (!again.ok() && again.code() != StatusCode::kInfeasible) return;
     Fill(&certificate_.angle_fit).angle_fit_retried = 1;
     *fit = std::move(retried);

@@ -18,8 +18,7 @@ std::vector<Option<O>> SolveOptions() {
   return {{"triangulation", &O::triangulation,
            "intrinsic Delaunay flips first, or the input's connectivity"},
           Option<O>("angle_objective", &O::angle_objective,
-                    "the objective of the angle fit; for the sphere the programs take entropy, "
-                    "unless told otherwise")
+                    "the objective of the angle fit; quadratic and barrier are the thesis's")
               .OneOf(AngleObjectives().Names())
               .Formerly("angle_fit"),
           Option<O>("angle_solver", &O::angle_solver, "the solver of the angle fit")

@@ -48,9 +48,9 @@ inline constexpr auto kEnumWords<CutCost> =
 /// of circle_patterns and a key of an experiment config.
 struct ParameterizeOptions {
   SolvedTriangulation triangulation = SolvedTriangulation::kDelaunay;
-  std::string angle_objective = "quadratic";  ///< a name of AngleObjectives()
-  std::string angle_solver = "auto";          ///< a name of AngleSolverNames()
-  std::string radii_solver = "auto";          ///< a name of SolverStrategies(), for the log radii
+  std::string angle_objective = "entropy";  ///< a name of AngleObjectives()
+  std::string angle_solver = "auto";        ///< a name of AngleSolverNames()
+  std::string radii_solver = "auto";        ///< a name of SolverStrategies(), for the log radii
   LayoutMethod layout = LayoutMethod::kDirections;
   /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,
   /// which are no cones with a boundary. For targets that are not given otherwise.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 6;
+constexpr double kNothing = 1e-20;   ///< a distortion that is rounding
 constexpr double kLeastRoom = 1e-6;  ///< [rad]: an angle nearer to its bound does not approach it
 constexpr double kLeastDecrease = 1e-4;  ///< relative, of a step after which another is worthwhile
 
@@ -199,7 +200,7 @@ Status RefineCones(const FlattenJob& job, Certificate* certificate, ConeTargets*
   if (!objective.ok()) return objective.status();
   const double before = AreaDistortion(*flat);
   Refinement refinement(job, *targets, *flat, **objective);
-  const int steps = refinement.Run();
+  const int steps = before > kNothing ? refinement.Run() : 0;
   double after = before;
   if (steps > 0) {
     ConeTargets refined = refinement.Apply(*targets);

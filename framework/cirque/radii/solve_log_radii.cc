@@ -15,6 +15,7 @@ namespace cirque {
 namespace {
 
 constexpr double kAcceptedGradient = 1e-9;
+constexpr double kOneCircle = 1e-9;      ///< [rad]: two circles that are one to rounding
 constexpr double kStartGradient = 1e-2;  ///< whence Newton on the radii needs a few full steps
 
 /// max over coherent alpha with these theta of
@@ -110,9 +111,9 @@ CornerAngles FlatCornerAngles(const Triangulation& t, const CoherentAngles& angl
   ParallelFor(t.num_halfedges(), [&](Index h) {
     const Index g = t.twin[h];
     const Index i = Triangulation::Face(h), j = g == kNone ? i : Triangulation::Face(g);
-    flat.value[h] = g == kNone ? angles.value[h]
-                               : HalfAngle(log_radii.value[i] - log_radii.value[j],
-                                           kPi - angles.value[h] - angles.value[g]);
+    const double theta = g == kNone ? 0 : kPi - angles.value[h] - angles.value[g];
+    flat.value[h] = theta < kOneCircle ? angles.value[h]
+                                       : HalfAngle(log_radii.value[i] - log_radii.value[j], theta);
   });
   return flat;
 }

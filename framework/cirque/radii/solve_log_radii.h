@@ -61,7 +61,9 @@ Status SolveLogRadii(const Triangulation& triangulation, const CoherentAngles& a
 
 /// The corner angles of the flat triangles with these radii, 3F [rad]:
 ///   phi = theta*/2 - atan(tanh(d/2) tan(theta*/2))   opposite interior edges, d = rho_i - rho_j,
-///   alpha                                            opposite boundary edges.
+///   alpha                                            opposite boundary edges, and opposite those
+///                                                    between two triangles on one circle
+///                                                    (theta < 1e-9), of which d tells nothing.
 /// A face's three add up to pi where the radii are those of the pattern.
 CornerAngles FlatCornerAngles(const Triangulation& triangulation, const CoherentAngles& angles,
                               const LogRadii& log_radii);
