@@ -1,5 +1,8 @@
 #include "cirque/linear/hermitian_cholesky.h"
 
+#include <complex>
+#include <vector>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -30,6 +33,26 @@ TEST(HermitianCholesky, SolvesOnePatternWithSeveralValues) {
     const Eigen::VectorXcd x = Eigen::VectorXcd::Random(40);
     ASSERT_TRUE(cholesky.Factorize(Lower(a)));
     EXPECT_LT((cholesky.Solve(a * x) - x).norm(), 1e-12 * x.norm());
+  }
+}
+
+TEST(HermitianCholesky, SolvesLargeSystemsByDenseBlocks) {
+  // Of a path: 2 and a shift on the diagonal, i beside it.
+  constexpr int kUnknowns = 6000;
+  for (const double shift : {0.1, -3.0}) {
+    std::vector<Eigen::Triplet<std::complex<double>>> entries;
+    for (int i = 0; i < kUnknowns; ++i) {
+      entries.emplace_back(i, i, 2 + shift);
+      if (i > 0) entries.emplace_back(i, i - 1, std::complex<double>(0, 1));
+    }
+    ComplexSparseMatrix lower(kUnknowns, kUnknowns);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    HermitianCholesky cholesky;
+    ASSERT_EQ(cholesky.Factorize(lower), shift > 0);
+    if (shift < 0) continue;
+    const Eigen::VectorXcd x = Eigen::VectorXcd::Random(kUnknowns);
+    const Eigen::VectorXcd b = lower.selfadjointView<Eigen::Lower>() * x;
+    EXPECT_LT((cholesky.Solve(b) - x).norm(), 1e-12 * x.norm());
   }
 }
 

@@ -1,17 +1,15 @@
 #pragma once
 
-#include <functional>
-
 #include "cirque/core/registry.h"
 
 namespace cirque {
 
 /// What a refinement of a map lowers: the area-weighted mean over the faces of a function of
 /// m = |mu| in [0, 1), mu = f_zbar / f_z the Beltrami coefficient of the map on the face. The ratio
-/// of the singular values there is (1 + m) / (1 - m).
+/// of the singular values there is (1 + m) / (1 - m). Both functions take m^2, which needs no root.
 struct MapObjective {
-  std::function<double(double m)> value;   ///< 0 at 0, increasing, infinite at 1
-  std::function<double(double m)> weight;  ///< value'(m) / m, finite and positive also at 0
+  double (*value)(double m_squared);   ///< 0 at 0, increasing, infinite at 1
+  double (*weight)(double m_squared);  ///< dvalue/dm / m, finite and positive also at 0
 };
 
 /// With q the ratio of the singular values:

@@ -5,10 +5,8 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/option_table.h"
 #include "cirque/core/status.h"
-#include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/map_objective.h"
-#include "cirque/layout/seams.h"
+#include "cirque/layout/opened_map.h"
 
 namespace cirque {
 
@@ -20,16 +18,9 @@ struct RefineMapOptions {
 /// Both by name, with their meanings, for configs and the command line.
 const OptionTable<RefineMapOptions>& RefineMapOptionTable();
 
-/// A surface with the cut of its map and the seams that the cut became (MeasureSeams).
-struct SeamedSurface {
-  const IntrinsicSurface& surface;
-  const Cut& cut;
-  const std::vector<Seam>& seams;
-};
-
 /// What became of the objective.
 struct MapRefinement {
-  int steps = 0;
+  int steps = 0;  ///< on the whole map
   double before = 0, after = 0;
 };
 
@@ -43,10 +34,10 @@ struct MapRefinement {
 /// coefficient of a face,
 ///   mu = sum_i z_i G_i / sum_i z_i conj(G_i),
 /// is holomorphic in z, so a step solves one Hermitian system
-///   sum A w J* J,   A the faces' areas, w the objective's weight, J = d mu / d z;
-/// the seams hold by augmented Lagrangians with the same factor. The line search admits no face
-/// with |mu| >= 1 and, by exact arithmetic, none that is flipped. The image keeps its area. Faces
-/// of no area take no part, but stay as they are oriented.
+///   sum A w J* J,   A the faces' areas, w the objective's weight, J = d mu / d z
+/// (LowerObjective). Vertices can be held; that one slides along a line is no Hermitian condition.
+/// The image keeps its area (OpenedMap::WriteTo). Faces of no area take no part, but stay as they
+/// are oriented.
 ///
 /// Errors: cancelled.
 StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& objective,

@@ -59,9 +59,9 @@ double VertexStar::Value(const MapObjective& objective, Complex position) const 
   Complex f_z;
   for (const Face& face : faces_) {
     if (!(face.area > 0)) continue;
-    const double m = std::abs(Beltrami(face, position, &f_z));
-    if (!(m < 1)) return std::numeric_limits<double>::infinity();
-    sum += face.area * objective.value(m);
+    const double m_squared = std::norm(Beltrami(face, position, &f_z));
+    if (!(m_squared < 1)) return std::numeric_limits<double>::infinity();
+    sum += face.area * objective.value(m_squared);
   }
   return sum;
 }
@@ -79,7 +79,7 @@ std::optional<Complex> VertexStar::BestPosition(const MapObjective& objective) c
       Complex f_z;
       const Complex mu = Beltrami(face, position, &f_z);
       const Complex derivative = (face.hat - mu * std::conj(face.hat)) / f_z;
-      const double weight = face.area * objective.weight(std::abs(mu));
+      const double weight = face.area * objective.weight(std::norm(mu));
       gradient += weight * std::conj(derivative) * mu;
       curvature += weight * std::norm(derivative);
     }

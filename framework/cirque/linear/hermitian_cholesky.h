@@ -10,8 +10,8 @@ namespace cirque {
 using ComplexSparseMatrix = Eigen::SparseMatrix<std::complex<double>>;
 
 /// Factors Hermitian positive definite complex matrices of one pattern, given by their lower
-/// triangle, by CHOLMOD (when built with it; else by Eigen) and solves with the factor. The first
-/// factorization analyses the pattern for all.
+/// triangle, and solves with the factor: small ones column by column (Eigen), large ones by dense
+/// blocks (CHOLMOD, when built with it). The first factorization analyses the pattern for all.
 class HermitianCholesky {
  public:
   HermitianCholesky();
