@@ -2,8 +2,8 @@
 // objective, strategy of the log radii and refinement of the map on one of them.
 #include "cirque/energy/angle_objective.h"
 #include "cirque/generators/generators.h"
-#include "cirque/layout/map_objective.h"
 #include "cirque/pipeline/certificate.h"
+#include "cirque/pipeline/finish_layout.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -53,10 +53,10 @@ void Register(const std::string& name, const std::string& generator,
     options.radii_solver = strategy;
     Register("strategy:" + strategy, "bumpy_terrain", options, {kSmall});
   }
-  for (const std::string& objective : MapObjectives().Names()) {
+  for (const std::string& refinement : RefineMapNames()) {
     ParameterizeOptions options;
-    options.refine_map = objective;
-    Register("refine_map:" + objective, "bumpy_terrain", options, {kLarge});
+    options.refine_map = refinement;
+    Register("refine_map:" + refinement, "bumpy_terrain", options, {kLarge});
   }
   return true;
 }();

@@ -169,8 +169,9 @@ Status CirclePatternsFlags::CheckFiles() const {
   const CirclePatternsJob& job = job_;
   const ParameterizeOptions plain;
   const bool by_file = !job.cones.empty() || !job.angle_sums.empty();
+  const std::string& refine_map = job.options.refine_map;
   const bool as_it_is =
-      job.options.refine_map == plain.refine_map && job.options.seams == plain.seams;
+      (refine_map == plain.refine_map || refine_map == "none") && job.options.seams == plain.seams;
   if (!others_.empty()) {
     return refuse("unexpected argument '" + others_.front() + "'; see --help");
   }

@@ -1,5 +1,7 @@
 #include "cirque/pipeline/finish_layout.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,6 +36,7 @@ TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
     const Triangulation& t = surface.triangulation;
     ParameterizeOptions options;
     options.angle_objective = "quadratic";  // which leaves more to do
+    options.refine_map = "none";
     const Parameterization plain = MapOf(surface, options);
     for (const std::string& name : MapObjectives().Names()) {
       SCOPED_TRACE(std::string(surface_name) + " " + name);
@@ -61,6 +64,58 @@ TEST(EveryMapObjective, LowersTheDistortionWhileConesAndSeamsStay) {
       }
     }
   }
+}
+
+TEST(RefineLayout, KeepsAPrescribedBoundary) {
+  // A curved sheet to a rectangle.
+  const Surface surface = Moved(FlatStrip(12, 8), [](const Eigen::Vector3d& x) {
+    return Eigen::Vector3d(x.x(), x.y(), 2 * std::sin(x.x()) * std::cos(0.7 * x.y()));
+  });
+  const Triangulation& t = surface.triangulation;
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  ConeTargets targets = FreeBoundaryTargets(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (boundary[v]) targets.lower[v] = targets.upper[v] = kPi;
+  }
+  for (const Index v : {0, 12, 13 * 8, 13 * 8 + 12}) {
+    targets.lower[v] = targets.upper[v] = kPi / 2;
+  }
+  const auto map_by = [&](const char* refinement) {
+    ParameterizeOptions options;
+    options.refine_map = refinement;
+    Parameterization map;
+    const Status status = Parameterize(surface, {options, targets}, {}, &map);
+    EXPECT_TRUE(status.ok()) << status.message();
+    return map;
+  };
+  const Parameterization plain = map_by("none");
+  ASSERT_TRUE(plain.certificate.distortion.has_value());
+  EXPECT_FALSE(plain.certificate.map_refinement.has_value());
+  for (const char* refinement : {"mips", "auto:mean=0,share=0"}) {
+    SCOPED_TRACE(refinement);
+    const Parameterization refined = map_by(refinement);
+    EXPECT_LT(Distortion(refined), Distortion(plain));
+    EXPECT_TRUE(FlippedFaces(t, refined.uv).empty());
+    bool moved = false;
+    for (Index c = 0; c < t.num_halfedges(); ++c) {
+      const bool stays = refined.uv.value[c] == plain.uv.value[c];
+      EXPECT_TRUE(stays || !boundary[t.vertex[c]]);
+      moved = moved || !stays;
+    }
+    EXPECT_TRUE(moved);
+  }
+}
+
+TEST(RefineLayout, TheDefaultTellsOfItsPatches) {
+  const Parameterization map = MapOf(GeneratedSurface("blob", 1000), {});
+  const MapRefinementSummary& summary = *map.certificate.map_refinement;
+  EXPECT_TRUE(summary.map_refinement_flagged && summary.map_refinement_patches);
+  EXPECT_TRUE(summary.map_refinement_rounds && summary.map_refinement_patch_steps);
+  EXPECT_LE(summary.map_refinement_after, summary.map_refinement_before);
+  ParameterizeOptions options;
+  options.refine_map = "mips";
+  EXPECT_FALSE(MapOf(GeneratedSurface("blob", 1000), options)
+                   .certificate.map_refinement->map_refinement_patches.has_value());
 }
 
 TEST(FreeSeams, OpenTheSurfaceAlongTheCutOfItsCones) {
@@ -111,6 +166,12 @@ TEST(RefineLayout, WrongNamesAndOptionsAreRefusedBeforeTheSolve) {
   ParameterizeOptions options;
   options.refine_map = "mipz";
   EXPECT_THAT(refusal(options), HasSubstr("did you mean 'mips'"));
+  options.refine_map = "aut";
+  EXPECT_THAT(refusal(options), HasSubstr("did you mean 'auto'"));
+  options.refine_map = "auto:flags=1";
+  EXPECT_THAT(refusal(options), HasSubstr("unknown auto option 'flags'; did you mean 'flag'"));
+  options.refine_map = "none:steps=1";
+  EXPECT_THAT(refusal(options), HasSubstr("none takes no options"));
   options.refine_map = "mips:steps=0";
   EXPECT_THAT(refusal(options), HasSubstr("steps = '0' is not an integer in [1, 1e+06]"));
   options.refine_map = "none";

@@ -70,7 +70,9 @@ TEST(CheckOptions, TextsWithOptionsOfTheirOwnAreCheckedWithoutASurface) {
   EXPECT_EQ(message({{"cones", "greedy:target=0.1,norm=max"}}), "");
   EXPECT_EQ(message({{"cones", "moving:measure=angle,start=l1"}}), "");
   EXPECT_EQ(message({{"cone_angles", "ranges:width=0.3"}}), "");
-  EXPECT_EQ(message({{"refine_map", "mips:steps=5"}}), "");
+  for (const char* refinement : {"mips:steps=5", "none", "auto", "auto:flag=1,rounds=2"}) {
+    EXPECT_EQ(message({{"refine_map", refinement}}), "");
+  }
   EXPECT_EQ(message({{"cones", "greedy"}, {"cone_budget", "3"}}), "");
   EXPECT_THAT(message({{"cones", "gredy"}}),
               HasSubstr("cones: unknown cone heuristic 'gredy'; did you mean 'greedy'?"));

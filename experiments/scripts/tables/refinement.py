@@ -3,7 +3,8 @@ from tables import records
 from tables.records import number, plt, quantiles, shown, table
 
 OUTPUT = "refinement"
-REFINED = {"mips": "`mips`", "mean": "`quasi_conformal`"}
+REFINED = {"patches": "`auto`", "mips": "`mips`", "mean": "`quasi_conformal`"}
+GROUPS = ("plain", *REFINED)
 
 
 def excess(run):
@@ -32,12 +33,12 @@ def by_mesh(runs):
         own = {run.group: run for run in runs if run.mesh == mesh}
         if "plain" not in own:
             continue
-        maps = [own.get(group) for group in ("plain", "mips", "mean")]
+        maps = [own.get(group) for group in GROUPS]
         rows.append([mesh, own["plain"].triangles] +
                     [shown(run, run and run.value(name), form) for name, form in
                      (("quasi_conformal_mean", "{:.5f}"), ("quasi_conformal_max", "{:.4g}")) for run in maps] +
                     [shown(run, run and run.cpu, "{:.2f}") for run in maps])
-    head = [f"{measure} {group}" for measure in ("qc mean", "qc max", "CPU [s]") for group in ("plain", "mips", "mean")]
+    head = [f"{measure} {group}" for measure in ("qc mean", "qc max", "CPU [s]") for group in GROUPS]
     return table(["mesh", "triangles"] + head, rows)
 
 
@@ -70,7 +71,7 @@ def draw(runs, path):
     meshes = [mesh for mesh in records.by_size(runs) if any(run.mesh == mesh and run.group == "plain" for run in runs)]
     figure, axes = plt.subplots(1, 2, figsize=(8, 0.22 * len(meshes) + 1.2), sharey=True)
     for axis, name, less in ((axes[0], "quasi_conformal_mean", 1), (axes[1], "quasi_conformal_max", 0)):
-        for colour, marker, group in zip(records.COLOURS, "osD", ("plain", "mips", "mean")):
+        for colour, marker, group in zip(records.COLOURS, "ovsD", GROUPS):
             points = [(run.value(name) - less, meshes.index(run.mesh)) for run in runs if run.group == group and run.ok and
                       run.mesh in meshes]
             if points:

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "cirque/core/option.h"
+#include "cirque/core/text.h"
 #include "cirque/layout/packing.h"
 #include "cirque/layout/refine_map.h"
+#include "cirque/layout/refine_patches.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/measure_map.h"
@@ -15,20 +17,75 @@ namespace cirque {
 namespace {
 
 constexpr char kNoRefinement[] = "none";
+constexpr char kByPatches[] = "auto";
 
 struct Refinement {
-  MapObjective objective;
-  RefineMapOptions options;
+  std::optional<MapObjective> objective;  ///< none: by patches
+  RefineMapOptions whole;
+  RefinePatchesOptions patches;
 };
 
 StatusOr<Refinement> Parse(const std::string& refine_map) {
   const StatusOr<NameWithOptions> named = ParseNameWithOptions(refine_map);
   if (!named.ok()) return named.status();
-  const StatusOr<MapObjective> objective = MapObjectives().Find(named->name);
-  if (!objective.ok()) return objective.status();
-  Refinement refinement{*objective, {}};
-  if (Status s = RefineMapOptionTable().Set(named->options, &refinement.options); !s.ok()) return s;
+  if (named->name == kNoRefinement) {
+    return Status::InvalidInput(std::string(kNoRefinement) + " takes no options");
+  }
+  Refinement refinement;
+  Status status;
+  if (named->name == kByPatches) {
+    status = RefinePatchesOptionTable().Set(named->options, &refinement.patches);
+  } else {
+    const StatusOr<MapObjective> objective = MapObjectives().Find(named->name);
+    if (!objective.ok()) {
+      return Status::InvalidInput(UnknownName("map objective", named->name, RefineMapNames()));
+    }
+    refinement.objective = *objective;
+    status = RefineMapOptionTable().Set(named->options, &refinement.whole);
+  }
+  if (!status.ok()) return status;
   return refinement;
+}
+
+/// Whether the angle sum of a vertex on the boundary was left to the fit.
+bool IsFree(const ConeTargets& targets, const ConeTargets& free, Index v) {
+  return targets.lower[v] <= free.lower[v] && targets.upper[v] >= free.upper[v];
+}
+
+/// What a shape prescribed by angle sums on the boundary is held by: the vertices that have them
+/// and their neighbours along it.
+std::vector<bool> HeldBoundary(const Triangulation& t, const ConeTargets& targets) {
+  const ConeTargets free = FreeBoundaryTargets(t);
+  std::vector<bool> held(t.num_vertices, false);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    if (t.twin[h] != kNone) continue;
+    const Index a = t.Tail(h), b = t.Tip(h);
+    if (!IsFree(targets, free, a) || !IsFree(targets, free, b)) held[a] = held[b] = true;
+  }
+  return held;
+}
+
+/// Refines and tells of it. Errors: cancelled.
+Status Refine(const SeamedSurface& of, const Refinement& refinement,
+              const std::atomic<bool>* cancelled, CornerUv* uv, MapRefinementSummary* summary) {
+  MapRefinement done;
+  if (refinement.objective) {
+    const auto whole = RefineMap(of, *refinement.objective, refinement.whole, cancelled, uv);
+    if (!whole.ok()) return whole.status();
+    done = *whole;
+  } else {
+    const auto patches = RefineByPatches(of, refinement.patches, cancelled, uv);
+    if (!patches.ok()) return patches.status();
+    done = *patches;
+    summary->map_refinement_flagged = patches->flagged;
+    summary->map_refinement_patches = patches->patches;
+    summary->map_refinement_rounds = patches->rounds;
+    summary->map_refinement_patch_steps = patches->patch_steps;
+  }
+  summary->map_refinement_steps = done.steps;
+  summary->map_refinement_before = done.before;
+  summary->map_refinement_after = done.after;
+  return Status();
 }
 
 constexpr double kMultiple = 1e-12;  ///< [rad]: of targets, which are read with some digits
@@ -48,27 +105,26 @@ std::string ToString(BoundaryContact contact) {
 
 }  // namespace
 
+std::vector<std::string> RefineMapNames() {
+  std::vector<std::string> names = {kByPatches, kNoRefinement};
+  for (std::string& objective : MapObjectives().Names()) names.push_back(std::move(objective));
+  return names;
+}
+
 Status CheckRefineMap(const std::string& refine_map) {
   return refine_map == kNoRefinement ? Status() : Parse(refine_map).status();
 }
 
-Status RefineLayout(const LaidOutSurface& of, const std::string& refine_map, PlanarLayout* layout,
+Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
+                    const std::string& refine_map, PlanarLayout* layout,
                     std::optional<MapRefinementSummary>* summary) {
   if (refine_map == kNoRefinement) return Status();
   const StatusOr<Refinement> refinement = Parse(refine_map);
   if (!refinement.ok()) return refinement.status();
   const Triangulation& t = of.surface.triangulation;
   const SeamReport report = MeasureSeams(t, of.cut, of.cones, of.flat.angles, layout->uv);
-  CornerUv refined = layout->uv;
-  const StatusOr<MapRefinement> done =
-      RefineMap({of.surface, of.cut, report.seams}, refinement->objective, refinement->options,
-                of.cancelled, &refined);
-  if (!done.ok()) return done.status();
-  // Scaling to the area that it had rounds once more.
-  const bool kept = done->steps > 0 && FlippedFaces(t, refined).empty();
-  if (kept) layout->uv = std::move(refined);
-  *summary = {kept ? done->steps : 0, done->before, kept ? done->after : done->before};
-  return Status();
+  const SeamedSurface seamed = {of.surface, of.cut, report.seams, HeldBoundary(t, targets)};
+  return Refine(seamed, *refinement, of.cancelled, &layout->uv, &Fill(summary));
 }
 
 int CommonRotationOrder(const ConeTargets& targets, const std::vector<Index>& cones) {

@@ -15,6 +15,10 @@
 
 namespace cirque {
 
+/// What ParameterizeOptions::refine_map may name: "auto" (RefineByPatches), "none" and objectives of
+/// RefineMap.
+std::vector<std::string> RefineMapNames();
+
 /// Whether a text is a value of ParameterizeOptions::refine_map; the error says what is wrong.
 Status CheckRefineMap(const std::string& refine_map);
 
@@ -27,9 +31,11 @@ struct LaidOutSurface {
   const std::atomic<bool>* cancelled;
 };
 
-/// Refines a layout without flipped faces as `refine_map` says (RefineMap), unless that is "none".
-/// Errors: as CheckRefineMap; cancelled.
-Status RefineLayout(const LaidOutSurface& of, const std::string& refine_map, PlanarLayout* layout,
+/// Refines a layout without flipped faces as `refine_map` says, unless that is "none". Boundary
+/// vertices whose angle sums `targets` prescribe stay, and their neighbours on the boundary, so that
+/// polygons stay polygons. Errors: as CheckRefineMap; cancelled.
+Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
+                    const std::string& refine_map, PlanarLayout* layout,
                     std::optional<MapRefinementSummary>* summary);
 
 /// 4 where every cone's angle is fixed to a multiple of pi/2, 6 where to one of pi/3, 0 otherwise.

@@ -5,7 +5,6 @@
 #include "cirque/cones/registry.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/angle_objective.h"
-#include "cirque/layout/map_objective.h"
 #include "cirque/pipeline/finish_layout.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -50,9 +49,10 @@ std::vector<Option<O>> ConeOptions() {
 std::vector<Option<O>> MapOptions() {
   return {
       Option<O>("refine_map", &O::refine_map,
-                "moves the finished map to less distortion, cones and seams kept: none, NAME or "
-                "NAME:KEY=VALUE,...; names " +
-                    Join(MapObjectives().Names()))
+                "moves the finished map to less distortion, cones, seams and prescribed boundaries "
+                "kept: none, NAME or NAME:KEY=VALUE,...; auto: around outliers, and the whole map "
+                "where its mean asks for it; names " +
+                    Join(RefineMapNames()))
           .Checked(CheckRefineMap),
       {"seams", &O::seams,
        "the two sides of a cut stay congruent, or the surface opened along it gets a free "

@@ -58,9 +58,9 @@ struct ParameterizeOptions {
   int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
   int refine_cones = 0;  ///< steps that lower the realised area distortion by the cones' angles
-  /// A name of MapObjectives(), with options as in "mips:steps=5", by which the finished map is
-  /// refined (RefineMap), or "none".
-  std::string refine_map = "none";
+  /// How the finished map is refined: "auto" where that is worth its time (RefineByPatches), a name
+  /// of MapObjectives() (RefineMap), both with options as in "mips:steps=5", or "none".
+  std::string refine_map = "auto";
   SeamKind seams = SeamKind::kRigid;
   CutCost cut_cost = CutCost::kFlatLength;
   std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none

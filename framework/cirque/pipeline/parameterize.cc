@@ -83,7 +83,8 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   if (flipped.empty()) {
     const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
-    Status refined = RefineLayout(of, job.options.refine_map, &layout, &certificate.map_refinement);
+    Status refined = RefineLayout(of, result->targets, job.options.refine_map, &layout,
+                                  &certificate.map_refinement);
     if (!refined.ok()) return refined;
     summary.rotation_order = ArrangePatches(of, result->targets, &layout);
     flipped = FlippedFaces(t, layout.uv);
@@ -290,7 +291,8 @@ Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, cons
   flat.on_input = {surface.angles, lengths, {}};
   result->targets = MeasuredTargets(surface);
   const FileVertices file = VerticesInOrder(t.num_vertices);
-  const ParameterizeOptions plain;
+  ParameterizeOptions plain;
+  plain.refine_map = "none";
   const SolveControl control;
   return Conclude(LayOutAndMeasure({surface, file, cut, plain, control}, result), timer,
                   &result->certificate);

@@ -68,9 +68,11 @@ struct SeamSummary {
   double cone_rotation_mismatch = 0;
 };
 
-/// RefineMap.
+/// RefineByPatches, or RefineMap, which has no patches.
 struct MapRefinementSummary {
-  int map_refinement_steps = 0;
+  std::optional<int> map_refinement_flagged, map_refinement_patches, map_refinement_rounds;
+  std::optional<int> map_refinement_patch_steps;
+  int map_refinement_steps = 0;  ///< on the whole map
   double map_refinement_before = kUnset, map_refinement_after = kUnset;
 };
 
