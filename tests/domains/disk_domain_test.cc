@@ -202,6 +202,26 @@ TEST(DiskDomain, LongLimbIsSpreadAndStillNotFlipped) {
   EXPECT_GT(map.certificate.disk->boundary_spread, 0);
 }
 
+TEST(DiskDomain, RefinementKeepsTheCircleAndTheCentre) {
+  const Surface terrain = GeneratedSurface("bumpy_terrain", 600);
+  ParameterizeOptions options;
+  options.refine_map = "none";
+  const SurfaceMap plain = MustMap(terrain, RequestFor("disk", {}, options));
+  options.refine_map = "mips";
+  const SurfaceMap refined = MustMap(terrain, RequestFor("disk", {}, options));
+  EXPECT_LT(refined.certificate.distortion->quasi_conformal_mean,
+            0.999 * plain.certificate.distortion->quasi_conformal_mean);
+  EXPECT_TRUE(FlippedFaces(terrain.triangulation, refined.uv).empty());
+  EXPECT_EQ(refined.certificate.disk->centre_vertex, plain.certificate.disk->centre_vertex);
+  EXPECT_EQ(*refined.certificate.disk->centre_error, 0);
+  const std::vector<bool> boundary = BoundaryVertices(terrain.triangulation);
+  for (Index h = 0; h < terrain.triangulation.num_halfedges(); ++h) {
+    if (boundary[terrain.triangulation.vertex[h]]) {
+      EXPECT_EQ(refined.uv.value[h], plain.uv.value[h]);
+    }
+  }
+}
+
 TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
   const Surface surface = GeneratedSurface("hemisphere", 500);
   const SurfaceMap map = MustMap(surface, RequestFor("half_plane"));

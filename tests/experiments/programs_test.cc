@@ -167,9 +167,9 @@ TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
                refined = distortion("--refine_map=mips:steps=3");
   EXPECT_LT(refined, plain);
   EXPECT_LT(distortion("--seams=free --refine_map=quasi_conformal"), refined);
-  const ProgramResult sphere = Flatten(in, out, "--domain=sphere --refine_map=mips");
-  EXPECT_EQ(sphere.exit_status, 2);
-  EXPECT_THAT(sphere.output, HasSubstr("takes no --refine_map"));
+  const ProgramResult half_plane = Flatten(in, out, "--domain=half_plane --refine_map=mips");
+  EXPECT_EQ(half_plane.exit_status, 2);
+  EXPECT_THAT(half_plane.output, HasSubstr("takes no --refine_map"));
   for (const char* flag : {" --refine_map=mips", " --seams=free"}) {
     const ProgramResult layout = RunProgram("circle_patterns -ic x.con -no -oo " + out + flag);
     EXPECT_EQ(layout.exit_status, 2);

@@ -146,11 +146,12 @@ const std::vector<BadConfig>& BadConfigs() {
        ":3:64: midpoints do not lie on the smooth surface"},
       {"UnknownDomain", Config(kMesh, "{name: a, domain: dick}"),
        ":5:23: unknown domain 'dick'; did you mean 'disk'? Known: plane, sphere, disk"},
-      {"ForeignToTheDomain", Config(kMesh, "{name: a, domain: [plane, disk], cones: greedy}"),
-       ":5:45: 'cones' has no meaning with domain 'disk', which takes none of its like; give that "
-       "domain an entry of its own"},
+      {"ForeignToTheDomain", Config(kMesh, "{name: a, domain: [plane, half_plane], cones: greedy}"),
+       ":5:51: 'cones' has no meaning with domain 'half_plane', which takes none of its like; give "
+       "that domain an entry of its own"},
       {"ForeignToTheSphere", Config(kMesh, "{name: a, domain: sphere, cut_cost: length}"),
-       ":5:41: 'cut_cost' has no meaning with domain 'sphere', which takes layout"},
+       ":5:41: 'cut_cost' has no meaning with domain 'sphere', which takes layout, "
+       "refine_map"},
       {"SeedsOfFiles", Config("{file: a.obj, optional: true}", kMethod, "seeds: [1, 2]\n"),
        ":6:8: 'seeds' has a meaning for generated meshes only: nothing here is random"},
       {"SeedTwice", Config(kMesh, kMethod, "seeds: [1, 2, 1]\n"), ":6:15: '1' is listed twice"},

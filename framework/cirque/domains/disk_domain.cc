@@ -117,6 +117,20 @@ double SpreadBest(const IntrinsicSurface& surface, const HalfPlaneChart& chart,
   return best;
 }
 
+/// Refines the map inside the circle, the centre staying where it is. Not where the inner vertices'
+/// centre of mass is at 0.
+Status RefineInDisk(const IntrinsicSurface& surface, const MapRequest& request,
+                    const SolveControl& control, DiskPlacement* disk, Certificate* certificate) {
+  if (request.shape.normalization == "area") return Status();
+  std::vector<bool> held = surface.boundary;
+  if (disk->centre() != kNone) held[disk->centre()] = true;
+  CornerUv uv = disk->Uv();
+  const Status status = RefineHeldMap(surface, std::move(held), request.options.refine_map,
+                                      control.cancelled, &uv, &certificate->map_refinement);
+  if (status.ok()) disk->TakePositions(uv);
+  return status;
+}
+
 std::vector<Index> FlippedFrom(const Triangulation& t, const HalfPlaneChart& chart, double height,
                                CornerUv* uv) {
   uv->value.clear();
@@ -159,6 +173,8 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
   if (!clean && !disk.Spread(chart, spread).empty()) {
     return Unrepresentable("points of the unit disk");
   }
+  Status refined = RefineInDisk(intrinsic, request, control, &disk, &map->certificate);
+  if (!refined.ok()) return refined;
   DiskSummary summary = Summarize(surface, chart, disk, spread);
   Deliver(t, lengths, disk.Uv(), map);
   MeasureCore(surface, lengths, map->uv, chart.disk.core, &summary);

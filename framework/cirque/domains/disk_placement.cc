@@ -247,6 +247,12 @@ std::vector<Index> DiskPlacement::AllFaces() const {
   return all;
 }
 
+void DiskPlacement::TakePositions(const CornerUv& uv) {
+  for (Index h = 0; h < t_.num_halfedges(); ++h) {
+    position_[t_.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
+  }
+}
+
 CornerUv DiskPlacement::Uv() const {
   CornerUv uv;
   for (const Index v : t_.vertex) uv.value.emplace_back(position_[v].real(), position_[v].imag());

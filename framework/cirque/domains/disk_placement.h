@@ -28,6 +28,9 @@ class DiskPlacement {
   /// for.
   std::vector<Index> Spread(const HalfPlaneChart& chart, double share);
 
+  /// Where a refinement of the map has moved the vertices.
+  void TakePositions(const CornerUv& uv);
+
   const std::vector<Complex>& position() const { return position_; }
   Index centre() const { return centre_; }  ///< kNone: a centre of mass is at 0
   Index angle_zero() const { return angle_zero_; }

@@ -96,6 +96,7 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
     const Timer timer;
     MapRequest for_disk;
     for_disk.options = request.options;
+    for_disk.options.refine_map = "none";
     SurfaceMap disk;
     const Status status = MapToDisk(surface, for_disk, control, &disk);
     certificate->seconds.corners = timer.Seconds();

@@ -59,12 +59,12 @@ const Registry<Domain>& Domains() {
                    MapToPlane}},
                  {"sphere",
                   {"the unit sphere, for closed surfaces of genus 0",
-                   {"pole", "normalization", "principal_axes", "inversion", "layout"},
+                   {"pole", "normalization", "principal_axes", "inversion", "layout", "refine_map"},
                    {"position"},
                    MapToSphere}},
                  {"disk",
                   {"the unit disk, for topological disks like all that follow",
-                   {"centre", "angle_zero", "pole", "normalization"},
+                   {"centre", "angle_zero", "pole", "normalization", "refine_map"},
                    {"uv"},
                    MapToDisk}},
                  {"half_plane",
@@ -72,13 +72,15 @@ const Registry<Domain>& Domains() {
                    {"pole"},
                    {"uv"},
                    MapToHalfPlane}},
-                 {"rectangle", {"a rectangle of height 1", {"corners"}, {"uv"}, MapToRectangle}},
+                 {"rectangle",
+                  {"a rectangle of height 1", {"corners", "refine_map"}, {"uv"}, MapToRectangle}},
                  {"polygon",
                   {"a polygon of equal or given angles",
-                   {"corners", "sides", "targets"},
+                   {"corners", "sides", "targets", "refine_map"},
                    {"uv"},
                    MapToPolygon}},
-                 {"triangle", {"an equilateral triangle", {"corners"}, {"uv"}, MapToTriangle}}});
+                 {"triangle",
+                  {"an equilateral triangle", {"corners", "refine_map"}, {"uv"}, MapToTriangle}}});
   return kTable;
 }
 

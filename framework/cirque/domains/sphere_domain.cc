@@ -10,6 +10,7 @@
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/domains/sphere_pole.h"
+#include "cirque/domains/sphere_refinement.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/injectivity.h"
@@ -203,13 +204,26 @@ class SphereMapping {
     for (Index h = 0; h < t.num_halfedges(); ++h) {
       plane.position[punctured.vertex[t.vertex[h]]] = layout.uv.value[h];
     }
-    return Normalize(plane);
+    const Status status = Normalize(plane);
+    const bool refine = status.ok() && flipped_.empty() && in_plane_.refine_map != "none";
+    return refine ? RefineThenNormalize(std::move(plane)) : status;
+  }
+
+  /// Of a map that is good already; where the refined one is not, it stays.
+  Status RefineThenNormalize(PlaneWithPole plane) {
+    const PlaneWithPole before = plane;
+    Status status = RefineOnSphere(t_, lengths_, chart_, in_plane_.refine_map, control_.cancelled,
+                                   &plane, &map_.certificate.map_refinement);
+    if (!status.ok()) return status;
+    status = Normalize(plane);
+    return status.ok() && flipped_.empty() ? status : Normalize(before);
   }
 
   Status Normalize(const PlaneWithPole& plane) {
     const auto normalized = NormalizeChart(surface_, plane, options_.normalization);
     normalized_ = normalized.ok();
     if (!normalized_) return normalized.status();
+    chart_ = normalized->chart;
     summary_.normalization_iterations = normalized->iterations;
     summary_.normalization_residual = normalized->residual;
     map_.position = LiftAll(plane, normalized->chart);
@@ -258,6 +272,7 @@ class SphereMapping {
   StageSeconds& seconds_;
   SphereSummary& summary_;
   double log_radius_range_ = 0;
+  SphereChart chart_;  ///< of the last normalisation
   Index pole_ = kNone;
   std::vector<Index> flipped_;  ///< of the input's faces on the sphere
   bool normalized_ = true;      ///< false: no other pole or triangulation would help

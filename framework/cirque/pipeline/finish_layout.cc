@@ -127,6 +127,17 @@ Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
   return Refine(seamed, *refinement, of.cancelled, &layout->uv, &Fill(summary));
 }
 
+Status RefineHeldMap(const IntrinsicSurface& surface, std::vector<bool> held,
+                     const std::string& refine_map, const std::atomic<bool>* cancelled,
+                     CornerUv* uv, std::optional<MapRefinementSummary>* summary) {
+  if (refine_map == kNoRefinement) return Status();
+  const StatusOr<Refinement> refinement = Parse(refine_map);
+  if (!refinement.ok()) return refinement.status();
+  const Cut none{std::vector<bool>(surface.triangulation.num_edges(), false)};
+  const SeamedSurface of = {surface, none, {}, std::move(held)};
+  return Refine(of, *refinement, cancelled, uv, &Fill(summary));
+}
+
 int CommonRotationOrder(const ConeTargets& targets, const std::vector<Index>& cones) {
   for (const int order : {4, 6}) {
     const bool fits = std::all_of(cones.begin(), cones.end(), [&](Index v) {

@@ -38,6 +38,11 @@ Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
                     const std::string& refine_map, PlanarLayout* layout,
                     std::optional<MapRefinementSummary>* summary);
 
+/// The same of a map without a cut, whose `held` vertices stay.
+Status RefineHeldMap(const IntrinsicSurface& surface, std::vector<bool> held,
+                     const std::string& refine_map, const std::atomic<bool>* cancelled,
+                     CornerUv* uv, std::optional<MapRefinementSummary>* summary);
+
 /// 4 where every cone's angle is fixed to a multiple of pi/2, 6 where to one of pi/3, 0 otherwise.
 /// 4 without cones: the transitions of a flat surface without handles and loops, and of a flat
 /// torus, then are translations.
