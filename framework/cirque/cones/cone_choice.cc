@@ -24,24 +24,26 @@ ConeChoice::ConeChoice(const ConeProblem& problem, int count)
   });
 }
 
-bool ConeChoice::CanCarryTotal() const {
+/// Whether `left` cones do, whose least curvatures add up to `least`.
+bool ConeChoice::CanCarryTotal(double least) const {
   const double total = problem_->TotalCurvature();
   const double greatest = left_ * problem_->GreatestCurvature();
-  return !problem_->IsClosed() || (LeastOfOthers(left_, nullptr) <= total + kSlack &&
-                                   (left_ > 0 ? greatest >= total - kSlack : total == 0));
+  return !problem_->IsClosed() ||
+         (least <= total + kSlack && (left_ > 0 ? greatest >= total - kSlack : total == 0));
 }
 
 StatusOr<ConeChoice> ConeChoice::Make(const ConeProblem& problem, int count) {
   const auto most = static_cast<int>(problem.candidates().size());
   ConeChoice choice(problem, std::min(count, most));
-  if (choice.CanCarryTotal()) return choice;
-  const int asked = choice.left_;
-  while (choice.left_ < most && !choice.CanCarryTotal()) ++choice.left_;
+  double least = choice.LeastOfOthers(choice.left_, nullptr);
+  while (choice.left_ < most && !choice.CanCarryTotal(least)) {
+    least += problem.LeastCurvature(choice.by_capacity_[choice.left_++]);
+  }
+  if (choice.CanCarryTotal(least)) return choice;
   return Status::InvalidInput(
-      fmt::format("{} cones cannot carry the curvature {:.6g} pi that Gauss-Bonnet asks for: {}",
-                  asked, problem.TotalCurvature() / kPi,
-                  choice.CanCarryTotal() ? fmt::format("at least {} are needed", choice.left_)
-                                         : "subdivide the surface, or give the cones in a file"));
+      fmt::format("cones at all {} vertices cannot carry the curvature {:.6g} pi that Gauss-Bonnet "
+                  "asks for: subdivide the surface, or give the cones in a file",
+                  most, problem.TotalCurvature() / kPi));
 }
 
 /// The sum of the `count` least curvatures among the unchosen, and which they are.
@@ -96,6 +98,17 @@ Eigen::VectorXd DistanceFromCones(const ConeProblem& problem, const ConeFit& fit
   return (field.array() - level).abs();
 }
 
+bool FitAdmissible(const ConeProblem& problem, ConeChoice* choice, ConeFit* fit) {
+  Eigen::VectorXd room(problem.triangulation().num_vertices);
+  for (const Index v : problem.candidates()) room[v] = -problem.LeastCurvature(v);
+  while (!fit->FitLeastSquares()) {
+    const std::optional<Index> v = choice->TakeBest(room);
+    if (!v) return false;
+    fit->Add(*v);
+  }
+  return true;
+}
+
 StatusOr<std::vector<Cone>> ChooseByDescent(const ConeProblem& problem,
                                             const std::vector<bool>& allowed, int count) {
   StatusOr<ConeChoice> choice = ConeChoice::Make(problem, count);
@@ -113,13 +126,7 @@ StatusOr<std::vector<Cone>> ChooseByDescent(const ConeProblem& problem,
     // Before the cones can carry the total within their bounds, the bounds do not count.
     if (!fit.FitLeastSquares()) fit.FitZeroAtCones();
   }
-  Eigen::VectorXd room(problem.triangulation().num_vertices);
-  for (const Index v : problem.candidates()) room[v] = -problem.LeastCurvature(v);
-  while (!fit.FitLeastSquares()) {
-    const std::optional<Index> v = choice->TakeBest(room);
-    if (!v) break;
-    fit.Add(*v);
-  }
+  FitAdmissible(problem, &*choice, &fit);
   return fit.Cones();
 }
 

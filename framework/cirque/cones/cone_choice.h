@@ -17,8 +17,8 @@ namespace cirque {
 /// with many corners.
 class ConeChoice {
  public:
-  /// Error (invalid input): no `count` cones of this surface can carry its total curvature; the
-  /// message says how many are needed.
+  /// Of `count` cones, or of as many more as it takes to carry the total curvature of a closed
+  /// surface. Error (invalid input): all its vertices together cannot carry it.
   static StatusOr<ConeChoice> Make(const ConeProblem& problem, int count);
 
   int left() const { return left_; }
@@ -30,7 +30,7 @@ class ConeChoice {
  private:
   ConeChoice(const ConeProblem& problem, int count);
   double LeastOfOthers(int count, std::vector<bool>* among) const;
-  bool CanCarryTotal() const;
+  bool CanCarryTotal(double least) const;
 
   const ConeProblem* problem_;
   int left_;
@@ -45,7 +45,11 @@ class ConeChoice {
 Eigen::VectorXd DistanceFromCones(const ConeProblem& problem, const ConeFit& fit,
                                   const Eigen::VectorXd& field);
 
-/// At most `count` cones with the admissible curvatures of least distortion, each chosen where
+/// Makes the curvatures of a fit those of least squares, with further vertices of the choice, those
+/// with most corners first, while admissible ones cannot add up. False when none is left to take.
+bool FitAdmissible(const ConeProblem& problem, ConeChoice* choice, ConeFit* fit);
+
+/// At most `count` cones, or as many as Gauss-Bonnet needs, with the admissible curvatures of least distortion, each chosen where
 /// a little curvature lowers the distortion of those before it most, among the vertices that are
 /// `allowed` (V). Where these are too few for Gauss-Bonnet, vertices with many corners are added.
 /// Error (invalid input) as of ConeChoice::Make.

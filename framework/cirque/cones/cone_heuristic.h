@@ -16,7 +16,7 @@ class ConeHeuristic {
 
   /// Cones at candidates of the problem, which with flat other vertices satisfy Gauss-Bonnet and
   /// whose angles the corners can reach; the same for the same problem. Errors (invalid input):
-  /// what was asked for leaves no such cones; the message says what would.
+  /// the surface, or the file that was named, leaves no such cones; the message says what would.
   virtual StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const = 0;
 };
 
@@ -28,17 +28,19 @@ inline constexpr auto kEnumWords<LogScaleNorm> =
 
 /// How many cones. The options of every heuristic that counts begin with these.
 struct ConeBudget {
-  int cones = -1;     ///< the most; -1: 8, or what `target` needs
+  int cones = -1;     ///< the most, but for what Gauss-Bonnet needs; -1: 8, or what `target` needs
   double target = 0;  ///< distortion in the linear model at which to stop; 0: use all cones
   LogScaleNorm norm = LogScaleNorm::kL2;  ///< of the log scale u for `target`
 };
 
 template <class T>
 std::vector<Option<T>> BudgetOptions() {
-  return {Option<T>("cones", &T::cones, "the most cones; -1: 8, or what the target needs")
-              .Between(-1, 1e6),
-          Option<T>("target", &T::target, "log scale at which to stop; 0: none").Between(0, 1e6),
-          Option<T>("norm", &T::norm, "of the log scale, for the target")};
+  return {
+      Option<T>("cones", &T::cones,
+                "the most cones, but for what Gauss-Bonnet needs; -1: 8, or what the target needs")
+          .Between(-1, 1e6),
+      Option<T>("target", &T::target, "log scale at which to stop; 0: none").Between(0, 1e6),
+      Option<T>("norm", &T::norm, "of the log scale, for the target")};
 }
 
 /// A heuristic that can choose any number of cones: the base finds the least number that meets a
@@ -51,7 +53,7 @@ class BudgetedHeuristic : public ConeHeuristic {
   StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const final;
 
  protected:
-  /// At most `count` cones; on a closed surface that needs more, an error.
+  /// At most `count` cones; on a closed surface that needs more, as many as it needs.
   virtual StatusOr<std::vector<Cone>> ChooseAtMost(const ConeProblem& problem, int count) const = 0;
 
  private:

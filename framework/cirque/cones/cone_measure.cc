@@ -18,6 +18,10 @@ double AreaMeasure::Value(const Eigen::VectorXd& u) const {
   return std::sqrt(area_.dot(u.cwiseAbs2()));
 }
 
+Eigen::VectorXd AreaMeasure::Shares(const Eigen::VectorXd& u) const {
+  return area_.cwiseProduct(u.cwiseAbs2());
+}
+
 AngleMeasure::AngleMeasure(const ConeProblem& problem)
     : triangulation_(problem.source().surface->triangulation),
       area_(triangulation_.num_faces()),
@@ -65,6 +69,15 @@ double AngleMeasure::Value(const Eigen::VectorXd& u) const {
   double sum = 0;
   for (Index f = 0; f < triangulation_.num_faces(); ++f) sum += area_[f] * Predicted(f, u);
   return sum;
+}
+
+Eigen::VectorXd AngleMeasure::Shares(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(u.size());
+  for (Index f = 0; f < triangulation_.num_faces(); ++f) {
+    const double third = area_[f] * Predicted(f, u) / 3;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) share[triangulation_.vertex[h]] += third;
+  }
+  return share;
 }
 
 bool AngleMeasure::AdaptTo(const Eigen::VectorXd& u) {

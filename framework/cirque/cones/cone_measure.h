@@ -29,6 +29,9 @@ class ConeMeasure {
 
   virtual double Value(const Eigen::VectorXd& u) const = 0;
 
+  /// What lies at each vertex of that which Value adds up (V).
+  virtual Eigen::VectorXd Shares(const Eigen::VectorXd& u) const = 0;
+
   /// Makes the form touch the measure at u: what lowers the form from there lowers the measure.
   /// False when the form is the measure squared everywhere and nothing changed.
   virtual bool AdaptTo(const Eigen::VectorXd& /*u*/) { return false; }
@@ -40,6 +43,7 @@ class AreaMeasure final : public ConeMeasure {
   explicit AreaMeasure(const ConeProblem& problem) : area_(problem.area()) {}
   Eigen::VectorXd Apply(const Eigen::VectorXd& u) const override { return area_.cwiseProduct(u); }
   double Value(const Eigen::VectorXd& u) const override;
+  Eigen::VectorXd Shares(const Eigen::VectorXd& u) const override;
 
  private:
   const Eigen::VectorXd& area_;
@@ -64,6 +68,7 @@ class AngleMeasure final : public ConeMeasure {
   explicit AngleMeasure(const ConeProblem& problem);
   Eigen::VectorXd Apply(const Eigen::VectorXd& u) const override;
   double Value(const Eigen::VectorXd& u) const override;
+  Eigen::VectorXd Shares(const Eigen::VectorXd& u) const override;
   bool AdaptTo(const Eigen::VectorXd& u) override;
 
  private:

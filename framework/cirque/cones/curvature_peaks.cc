@@ -59,7 +59,7 @@ StatusOr<std::vector<Cone>> CurvaturePeaks::ChooseAtMost(const ConeProblem& prob
   for (const Index v : SpreadPeaks(problem, choice->left())) score[v] = rank--;
   ConeFit fit(problem);
   while (const std::optional<Index> v = choice->TakeBest(score)) fit.Add(*v);
-  fit.FitLeastSquares();
+  FitAdmissible(problem, &*choice, &fit);
   return fit.Cones();
 }
 

@@ -44,8 +44,9 @@ StatusOr<std::vector<Cone>> GreedyCones::ChooseAtMost(const ConeProblem& problem
     fit.Add(*next);
     fit.FitZeroAtCones();
   }
-  if (options_.fit == CurvatureFit::kLeastSquares || !IsAdmissible(problem, fit))
-    fit.FitLeastSquares();
+  if (options_.fit == CurvatureFit::kLeastSquares || !IsAdmissible(problem, fit)) {
+    FitAdmissible(problem, &*choice, &fit);
+  }
   return fit.Cones();
 }
 

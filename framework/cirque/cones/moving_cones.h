@@ -26,12 +26,16 @@ const OptionTable<MovingOptions>& MovingOptionTable();
 /// and nothing is factored again. Where no cone moves any more, cones that are missed least are moved
 /// to where one more would help most, at most `relocations` times.
 ///
+/// More than 96 cones are moved all at once instead (ConeSweeps), for less area distortion first,
+/// at a cost that does not grow with their number, and none is relocated.
+///
 /// `measure`: `area`, the predicted area distortion sqrt(sum a u^2); `angle`, the predicted mean of
 /// the quasi-conformal distortion (AngleMeasure), which cones of little area distortion need not
 /// lower.
 ///
 /// Guarantees: the measure is at most that of the start with the curvatures fitted to it (`angle`:
-/// up to its smoothing); the number of cones is that of the start.
+/// up to its smoothing; of more than 96 cones, at most that of the start as it is); the number of
+/// cones is that of the start.
 class MovingCones final : public ConeHeuristic {
  public:
   /// Makes the heuristic of a name with options, as MakeConeHeuristic does.
