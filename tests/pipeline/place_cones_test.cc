@@ -38,6 +38,23 @@ TEST(PlaceCones, OfAClosedSurfaceObeyGaussBonnet) {
   }
 }
 
+TEST(PlaceCones, ATorusGetsConesWhereItsAreaWouldRangeFar) {
+  // A spike on the ring: seen from the rest, its end is small.
+  const Surface torus = GeneratedSurface("torus", 4000);
+  Eigen::Vector3d outermost = torus.position[0];
+  for (const Eigen::Vector3d& x : torus.position) {
+    if (x.x() > outermost.x()) outermost = x;
+  }
+  const Surface spiked = Moved(torus, [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    return x + 20 * std::exp(-12 * (x - outermost).squaredNorm()) * Eigen::Vector3d::UnitX();
+  });
+  const auto plain = Place(torus, {}), placed = Place(spiked, {});
+  ASSERT_TRUE(plain.ok() && placed.ok());
+  EXPECT_TRUE(ConesOf(torus.triangulation, *plain).empty());
+  EXPECT_EQ(ConesOf(spiked.triangulation, *placed).size(), 8u);
+  EXPECT_NEAR(TotalCurvature(spiked.triangulation, *placed), 0, 1e-9);
+}
+
 TEST(PlaceCones, ABoundaryNeedsNone) {
   const Surface surface = GeneratedSurface("annulus", 300);
   const ConeTargets free = FreeBoundaryTargets(surface.triangulation);

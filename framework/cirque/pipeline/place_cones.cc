@@ -12,23 +12,58 @@
 namespace cirque {
 namespace {
 
-/// Of the default cones of a closed surface: more of them stay where SimpleConeTargets has them,
-/// since moving each costs a solve.
-constexpr int kMostMovedCones = 96, kMostMoves = 256, kMostSweeps = 30;
+/// Of the default cones of a closed surface: up to so many start from `greedy` and are moved one by
+/// one, each costing a solve; more start from SimpleConeTargets and are moved all at once.
+constexpr int kMostMovedOneByOne = 96, kMostMoves = 256, kMostSweeps = 30;
+
+/// Of a torus: it gets cones where its area would else range over more than e^4 and over a fifth
+/// less with them (README, Cones).
+constexpr int kConesOfTorus = 8;
+constexpr double kTorusRange = 4, kTorusShare = 0.8;
 
 /// `count` cones moved to where the predicted angle distortion is least.
-StatusOr<ConeTargets> MovedCones(const IntrinsicSurface& surface, int count) {
-  const Triangulation& t = surface.triangulation;
-  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
-  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
-                            {&surface, {}});
-  const int sweeps = std::min(kMostSweeps, kMostMoves / count);
-  const auto heuristic = MakeConeHeuristic("moving", {{"measure", "angle"},
-                                                      {"cones", std::to_string(count)},
-                                                      {"max_sweeps", std::to_string(sweeps)}});
-  if (!heuristic.ok()) return heuristic.status();
-  const StatusOr<std::vector<Cone>> cones = (*heuristic)->Choose(problem);
-  return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
+StatusOr<std::vector<Cone>> MovedCones(const ConeProblem& problem, int count) {
+  OptionMap options = {{"measure", "angle"}, {"max_sweeps", std::to_string(kMostSweeps)}};
+  if (count > kMostMovedOneByOne) {
+    options["start"] = "curvature_peaks";
+  } else {
+    options["cones"] = std::to_string(count);
+    options["max_sweeps"] = std::to_string(std::min(kMostSweeps, kMostMoves / count));
+  }
+  const auto heuristic = MakeConeHeuristic("moving", options);
+  return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
+}
+
+/// Where no simple set of cones exists, as on few vertices: as many as Gauss-Bonnet needs.
+StatusOr<std::vector<Cone>> NeededCones(const ConeProblem& problem) {
+  const auto heuristic = MakeConeHeuristic("greedy");
+  return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
+}
+
+/// By what power of e the area ratios range, as the linear model predicts.
+double PredictedAreaRange(const ConeProblem& problem, const std::vector<Cone>& cones) {
+  const Eigen::VectorXd u = PredictedLogScale(problem, cones);
+  return 2 * (u.maxCoeff() - u.minCoeff());
+}
+
+/// None, or kConesOfTorus where they lower the range of areas by much.
+StatusOr<std::vector<Cone>> ConesOfTorus(const ConeProblem& problem) {
+  const double range = PredictedAreaRange(problem, {});
+  if (!(range > kTorusRange)) return std::vector<Cone>();
+  const StatusOr<std::vector<Cone>> cones = MovedCones(problem, kConesOfTorus);
+  const bool gains = cones.ok() && PredictedAreaRange(problem, *cones) <= kTorusShare * range;
+  return gains ? cones : std::vector<Cone>();
+}
+
+/// Those of a closed surface.
+StatusOr<std::vector<Cone>> DefaultCones(const ConeProblem& problem) {
+  if (problem.TotalCurvature() == 0) return ConesOfTorus(problem);
+  const IntrinsicSurface& source = *problem.source().surface;
+  const StatusOr<ConeTargets> simple = SimpleConeTargets(source);
+  if (!simple.ok()) return NeededCones(problem);
+  const std::vector<Cone> cones = ConesOf(source.triangulation, *simple);
+  const auto moved = MovedCones(problem, static_cast<int>(cones.size()));
+  return moved.ok() ? moved : cones;
 }
 
 StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
@@ -41,10 +76,32 @@ StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
     return Status::InvalidInput("a cone budget needs a heuristic: name it as `cones`, one of " +
                                 Join(ConeHeuristics().Names()));
   }
-  const IntrinsicSurface& source = *problem.source().surface;
-  const StatusOr<ConeTargets> targets = DefaultTargets(source);
-  if (!targets.ok()) return targets.status();
-  return ConesOf(source.triangulation, *targets);
+  return problem.IsClosed() ? DefaultCones(problem) : std::vector<Cone>();
+}
+
+/// The options with a heuristic of twice as many cones, if theirs takes a number.
+bool DoubleBudget(std::size_t cones, ParameterizeOptions* options) {
+  if (options->cones.empty()) options->cones = "greedy";
+  options->cone_budget = 2 * std::max(1, static_cast<int>(cones));
+  return ParseConeHeuristic(options->cones, options->cone_budget).ok();
+}
+
+/// Cones with the angles that are asked for: where too few cones leave no multiples that add up,
+/// more of them.
+StatusOr<std::vector<Cone>> ChooseWithAngles(const ConeProblem& problem,
+                                             ParameterizeOptions options,
+                                             const ConeAngleOptions& angles) {
+  StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
+  if (!cones.ok()) return cones;
+  StatusOr<std::vector<Cone>> with_angles = ApplyConeAngles(problem, *cones, angles);
+  while (!with_angles.ok() && cones->size() < problem.candidates().size()) {
+    if (!DoubleBudget(cones->size(), &options)) break;
+    StatusOr<std::vector<Cone>> more = ChooseCones(problem, options);
+    if (!more.ok() || more->size() <= cones->size()) break;
+    cones = std::move(more);
+    with_angles = ApplyConeAngles(problem, *cones, angles);
+  }
+  return with_angles;
 }
 
 constexpr double kSpareCorner = 0.5, kLeastAngle = kPi / 4;
@@ -118,12 +175,11 @@ class Repair {
 StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface) {
   const Triangulation& t = surface.triangulation;
   if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
-  StatusOr<ConeTargets> simple = SimpleConeTargets(surface);
-  if (!simple.ok()) return simple;
-  const auto count = static_cast<int>(ConesOf(t, *simple).size());
-  if (count == 0 || count > kMostMovedCones) return simple;
-  const StatusOr<ConeTargets> moved = MovedCones(surface, count);
-  return moved.ok() ? moved : simple;
+  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
+  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
+                            {&surface, {}});
+  const StatusOr<std::vector<Cone>> cones = DefaultCones(problem);
+  return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
 }
 
 StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
@@ -139,9 +195,7 @@ StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVert
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
   const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
                             {&surface, file});
-  StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
-  if (!cones.ok()) return cones.status();
-  cones = ApplyConeAngles(problem, *std::move(cones), *angles);
+  const StatusOr<std::vector<Cone>> cones = ChooseWithAngles(problem, options, *angles);
   if (!cones.ok()) return cones.status();
   return ConeTargetsOf(t, *cones);
 }
