@@ -5,6 +5,8 @@
 namespace cirque {
 namespace {
 
+constexpr double kWideRange = 20;  ///< of log areas
+
 std::string MapLine(const Certificate& c) {
   const DistortionSummary distortion = c.distortion.value_or(DistortionSummary());
   return fmt::format(
@@ -40,8 +42,9 @@ std::string ConeLines(const Certificate& c) {
         c.seams->seams, c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
         c.seams->seam_gap);
   }
-  if (c.cone_repair && c.cone_repair->cones_for_range) {
-    text += "cones       chosen, since doubles could not hold the map without\n";
+  if (c.cone_budget) {
+    text += fmt::format("cones       {} instead of {}, since fewer cannot add up as they must\n",
+                        c.cone_budget->cones_needed, c.cone_budget->cones_asked);
   }
   if (c.cone_repair && c.cone_repair->cone_repairs > 0) {
     text += fmt::format("cones       {} moved, {} widened, where they were infeasible\n",
@@ -74,8 +77,26 @@ std::string DomainLines(const Certificate& c) {
   return text;
 }
 
+std::string LadderLine(const Certificate& c) {
+  if (!c.ladder || c.ladder->made_with.empty()) return "";
+  return fmt::format("ladder      made with {}, since {} ({} tried)\n", c.ladder->made_with,
+                     c.ladder->since, c.ladder->rungs_tried);
+}
+
+/// What single precision makes of the map, and areas that range far.
+std::string RangeLine(const Certificate& c) {
+  const int vanishing = c.layout ? c.layout->float32_vanishing_triangles.value_or(0) : 0;
+  const double range =
+      c.distortion ? c.distortion->log_area_ratio_max - c.distortion->log_area_ratio_min : 0;
+  if (vanishing == 0 && !(range > kWideRange)) return "";
+  const bool has_cones = c.layout && c.layout->cones.value_or(0) > 0;
+  return fmt::format(
+      "warning     areas range over e^{:.0f}, {} triangles vanish in single precision: {}\n", range,
+      vanishing, has_cones ? "more cones (--cones=greedy:cones=N)" : "cones (--cones=greedy)");
+}
+
 std::string PlanarSummary(const Certificate& c) {
-  std::string text = SolveLines(c) + MapLine(c) + ConeLines(c);
+  std::string text = SolveLines(c) + MapLine(c) + ConeLines(c) + LadderLine(c) + RangeLine(c);
   if (c.map_refinement) {
     text +=
         fmt::format("refinement  {} steps, objective {:.6g} to {:.6g}\n",

@@ -158,13 +158,54 @@ TEST(ConeHeuristics, ATargetTakesTheFewestConesThatMeetIt) {
   EXPECT_GT(norm(place({{"cones", std::to_string(met.size() - 1)}})), 0.1);
 }
 
-TEST(ConeHeuristics, TooFewConesAreRefusedWithTheNumberNeeded) {
+TEST(ConeHeuristics, TooFewConesBecomeAsManyAsGaussBonnetNeeds) {
   const Surface surface = GeneratedSurface("sphere", 500);
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeProblem problem(surface.triangulation, lengths);
-  const auto cones = (*MakeConeHeuristic("l1", {{"cones", "2"}}))->Choose(problem);
-  EXPECT_EQ(cones.status().code(), StatusCode::kInvalidInput);
-  EXPECT_NE(cones.status().message().find("at least 3"), std::string::npos);
+  for (const char* name : {"curvature_peaks", "greedy", "l1", "reweighted", "moving"}) {
+    const auto cones = (*MakeConeHeuristic(name, {{"cones", "1"}}))->Choose(problem);
+    ASSERT_TRUE(cones.ok()) << name << ": " << cones.status().message();
+    EXPECT_EQ(cones->size(), 3u) << name;  // of at most 1.75 pi each
+    EXPECT_TRUE(ConeTargetsOf(surface.triangulation, *cones).ok()) << name;
+  }
+  ParameterizeOptions options;
+  options.cones = "greedy:cones=2";
+  Parameterization map;
+  ASSERT_TRUE(Parameterize(surface, {options}, {}, &map).ok());
+  EXPECT_EQ(map.certificate.cone_budget->cones_asked, 2);
+  EXPECT_EQ(map.certificate.cone_budget->cones_needed, 3);
+}
+
+TEST(ConeHeuristics, MultiplesTakeMoreConesWhereFewDoNotAddUp) {
+  // Genus 2 with two cones of -2 pi each: what few corners cannot carry.
+  const Surface surface = GeneratedSurface("double_torus", 400);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface measured = MeasureSurface(surface.triangulation, lengths);
+  for (const char* angles : {"pi/2", "pi/3"}) {
+    ParameterizeOptions options;
+    options.cones = "greedy:cones=3";
+    options.cone_angles = angles;
+    const auto targets = PlaceCones(measured, {}, options);
+    ASSERT_TRUE(targets.ok()) << targets.status().message();
+    EXPECT_NEAR(MeasureGaussBonnetDefect(surface.triangulation, *targets).lower, 0, 1e-9);
+  }
+}
+
+TEST(ConeHeuristics, NoHeuristicRefusesASmallClosedSurface) {
+  for (const auto& [generator, triangles] :
+       {std::pair("sphere", 8), std::pair("blob", 20), std::pair("torus", 40),
+        std::pair("double_torus", 100)}) {
+    const Surface surface = GeneratedSurface(generator, triangles);
+    const EdgeLengths lengths = MeasureEdgeLengths(surface);
+    const IntrinsicSurface measured = MeasureSurface(surface.triangulation, lengths);
+    for (const std::string& name : ConeHeuristics().Names()) {
+      if (name == "none" || name == "given") continue;
+      ParameterizeOptions options;
+      options.cones = name;
+      const auto targets = PlaceCones(measured, {}, options);
+      EXPECT_TRUE(targets.ok()) << generator << " " << name << ": " << targets.status().message();
+    }
+  }
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
                 "domain, triangulation, angle_objective, angle_solver, radii_solver, layout, "
                 "cones, cone_budget, "
                 "cone_angles, refine_cones, refine_map, seams, cut_cost, edge_costs, epsilon, "
-                "max_iterations\n    "
+                "max_iterations, strict\n    "
                 "- nam: a\n      "
                 "^\n" +  //
                 path +

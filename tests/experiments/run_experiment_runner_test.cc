@@ -339,6 +339,8 @@ TEST_F(RunExperimentTest, CsvAndJsonAgreeInEveryCell) {
       } else if (record.at(pointer).is_string()) {
         EXPECT_EQ(rows[i][j], record.at(pointer).get<std::string>());
         ++texts;
+      } else if (record.at(pointer).is_boolean()) {
+        EXPECT_EQ(rows[i][j], record.at(pointer).get<bool>() ? "true" : "false");
       } else {
         EXPECT_EQ(std::stod(rows[i][j]), record.at(pointer).get<double>());
         ++numbers;

@@ -16,9 +16,9 @@ TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
   // One field more does not compile here until it is bound, and counted in the table.
   [[maybe_unused]] const auto& [triangulation, angle_objective, angle_solver, radii_solver, layout,
                                 cones, cone_budget, cone_angles, refine_cones, refine_map, seams,
-                                cut_cost, edge_costs, epsilon, max_iterations] =
+                                cut_cost, edge_costs, epsilon, max_iterations, strict] =
       ParameterizeOptions();
-  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 15u);
+  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 16u);
   [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, axes,
                                 inversion] = DomainOptions();
   EXPECT_EQ(DomainOptionTable().Names().size(), 8u);

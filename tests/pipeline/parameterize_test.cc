@@ -1,5 +1,8 @@
 #include "cirque/pipeline/parameterize.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +11,7 @@
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/generators/generators.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
@@ -206,9 +210,84 @@ TEST(Parameterize, TheCutGivenIsTheCutTaken) {
   Parameterization first;
   ASSERT_TRUE(Parameterize(surface, {}, {}, &first).ok());
   Parameterization second;
-  ASSERT_TRUE(Parameterize(surface, {{}, {}, first.cut}, {}, &second).ok());
+  ParameterizeOptions rigid;
+  rigid.seams = SeamKind::kRigid;
+  ASSERT_TRUE(Parameterize(surface, {rigid, {}, first.cut}, {}, &second).ok());
   EXPECT_EQ(second.cut.edge, first.cut.edge);
   EXPECT_EQ(second.uv.value, first.uv.value);
+}
+
+/// The edges of an open path from a vertex over `count` edges, each to a vertex not met before.
+Cut PathFrom(const Triangulation& t, Index start, int count) {
+  Cut cut{std::vector<bool>(t.num_edges(), false)};
+  std::vector<bool> met(t.num_vertices, false);
+  Index at = start;
+  for (int step = 0; step < count; ++step) {
+    met[at] = true;
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      if (t.Tail(h) != at || met[t.Tip(h)]) continue;
+      cut.edge[t.edge[h]] = true;
+      at = t.Tip(h);
+      break;
+    }
+  }
+  return cut;
+}
+
+TEST(Parameterize, ACutThatIsGivenAloneOpensTheSurface) {
+  for (const char* name : {"sphere", "torus", "bumpy_terrain"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = GeneratedSurface(name, 500);
+    const Triangulation& t = surface.triangulation;
+    const Cut given = PathFrom(t, t.num_vertices / 2, 4);
+    Parameterization map;
+    const Status status = Parameterize(surface, {{}, {}, given}, {}, &map);
+    ASSERT_TRUE(status.ok()) << status.message();
+    EXPECT_TRUE(FlippedFaces(t, map.uv).empty());
+    for (Index e = 0; e < t.num_edges(); ++e) EXPECT_TRUE(map.cut.edge[e] || !given.edge[e]);
+    // A torus is no disk yet.
+    EXPECT_EQ(map.cut.edge == given.edge, std::string(name) != "torus");
+    EXPECT_EQ(EulerCharacteristic(CutOpen(t, map.cut)), 1);
+    EXPECT_EQ(map.certificate.layout->cones, 0);
+  }
+}
+
+TEST(Parameterize, ACanComesApartAtItsSeams) {
+  // The side of a can cut from its rim to its bottom, and the bottom off: developable.
+  constexpr int kSides = 16;
+  PolygonSoup soup;
+  for (int ring = 0; ring < 2; ++ring) {
+    for (int i = 0; i < kSides; ++i) {
+      soup.position.emplace_back(std::cos(2 * kPi * i / kSides), std::sin(2 * kPi * i / kSides),
+                                 ring);
+    }
+  }
+  soup.position.emplace_back(0, 0, 0);
+  const auto add = [&](Index a, Index b, Index c) {
+    soup.corner.insert(soup.corner.end(), {a, b, c});
+    soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  };
+  for (Index i = 0; i < kSides; ++i) {
+    const Index j = (i + 1) % kSides;
+    add(i, j, kSides + i), add(j, kSides + j, kSides + i), add(j, i, 2 * kSides);
+  }
+  const Surface can = SurfaceOf(soup);
+  const Triangulation& t = can.triangulation;
+  Cut seams{std::vector<bool>(t.num_edges(), false)};
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index a = std::min(t.Tail(h), t.Tip(h)), b = std::max(t.Tail(h), t.Tip(h));
+    const bool rim = b < kSides;
+    if (rim || (a == 0 && b == kSides)) seams.edge[t.edge[h]] = true;
+  }
+  ParameterizeOptions options;
+  const auto distortion = [&](SeamKind kind) {
+    options.seams = kind;
+    Parameterization map;
+    EXPECT_TRUE(Parameterize(can, {options, {}, seams}, {}, &map).ok());
+    return map.certificate.distortion->quasi_conformal_mean;
+  };
+  EXPECT_LT(distortion(SeamKind::kAuto), 1.01);
+  EXPECT_GT(distortion(SeamKind::kRigid), 1.5);
 }
 
 TEST(Parameterize, UnknownNamesAreRefused) {

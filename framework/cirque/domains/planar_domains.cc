@@ -189,7 +189,9 @@ Status Deliver(const Triangulation& t, const std::vector<Complex>& place, Surfac
     map->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
   }
   const std::vector<Index> flipped = FlippedFaces(t, map->uv);
-  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped.size());
+  LayoutSummary& layout = Fill(&map->certificate.layout);
+  layout.flipped_triangles = static_cast<int>(flipped.size());
+  layout.float32_vanishing_triangles = static_cast<int>(FlippedFacesInFloat32(t, map->uv).size());
   if (flipped.empty()) return Status();
   return Status(StatusCode::kUnrepresentable,
                 fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",

@@ -67,6 +67,12 @@ std::vector<Index> FlippedFaces(const Triangulation& t, const CornerUv& uv) {
   return flipped;
 }
 
+std::vector<Index> FlippedFacesInFloat32(const Triangulation& t, const CornerUv& uv) {
+  CornerUv rounded = uv;
+  for (Eigen::Vector2d& x : rounded.value) x = x.cast<float>().cast<double>();
+  return FlippedFaces(t, rounded);
+}
+
 BoundaryContact FindBoundaryContact(const Triangulation& t, const CornerUv& uv) {
   BoundaryContact strongest = BoundaryContact::kApart;
   std::vector<const Segment*> active;

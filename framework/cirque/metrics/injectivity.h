@@ -13,6 +13,9 @@ namespace cirque {
 /// area too, by exact arithmetic on the coordinates as they are. Increasing.
 std::vector<Index> FlippedFaces(const Triangulation& triangulation, const CornerUv& uv);
 
+/// The same once the coordinates are rounded to 32-bit floats, as many programs read them.
+std::vector<Index> FlippedFacesInFloat32(const Triangulation& triangulation, const CornerUv& uv);
+
 /// How boundary edges that share no vertex lie in the image.
 enum class BoundaryContact {
   kApart,    ///< a map of a disk without flips is then injective

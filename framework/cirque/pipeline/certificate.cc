@@ -41,6 +41,14 @@ nlohmann::ordered_json InfeasibilityToJson(const InfeasibilityCertificate& proof
   return json;
 }
 
+nlohmann::ordered_json LadderToJson(const LadderSummary& ladder) {
+  auto tried = nlohmann::ordered_json::array();
+  for (const RungSummary& rung : ladder.tried) {
+    tried.push_back({{"rung", rung.rung}, {"outcome", rung.outcome}, {"message", rung.message}});
+  }
+  return {{"made_with", ladder.made_with}, {"since", ladder.since}, {"tried", std::move(tried)}};
+}
+
 }  // namespace
 
 std::string Certificate::ToJson() const {
@@ -61,6 +69,7 @@ std::string Certificate::ToJson() const {
     json["solvers"]["radii"] = radii->solver;
     json["history"]["radii"] = NumbersToJson(radii->gradients);
   }
+  if (ladder) json["ladder"] = LadderToJson(*ladder);
   if (!infeasibility.empty()) json["infeasibility"] = InfeasibilityToJson(infeasibility);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -25,7 +25,9 @@ struct Certificate {
   std::optional<TriangulationSummary> triangulation;
   std::optional<AngleFitSummary> angle_fit;
   std::optional<RadiiSummary> radii;
+  std::optional<ConeBudgetSummary> cone_budget;
   std::optional<ConeRepairSummary> cone_repair;
+  std::optional<LadderSummary> ladder;
   std::optional<ConeRefinementSummary> cone_refinement;
   std::optional<LayoutSummary> layout;
   std::optional<SeamSummary> seams;

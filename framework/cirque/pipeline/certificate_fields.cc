@@ -34,6 +34,8 @@ struct Row {
 constexpr char kFlips[] = "triangulation";
 constexpr char kAngles[] = "angle fit";
 constexpr char kRadii[] = "log radii";
+constexpr char kBudget[] = "number of cones";
+constexpr char kLadder[] = "ladder";
 constexpr char kRepair[] = "repair of cones";
 constexpr char kRefinedCones[] = "refinement of cones";
 constexpr char kLayout[] = "layout";
@@ -98,15 +100,18 @@ constexpr Row kNumbers[] = {
      Read<&C::radii, &RadiiSummary::radii_cg_iterations>},
     {"log_radius_range", kRadii, "", "range of the log radii",
      Read<&C::radii, &RadiiSummary::log_radius_range>},
+    {"cones_asked", kBudget, "", "cones asked for, fewer than there must be",
+     Read<&C::cone_budget, &ConeBudgetSummary::cones_asked>},
+    {"cones_needed", kBudget, "", "cones taken instead",
+     Read<&C::cone_budget, &ConeBudgetSummary::cones_needed>},
     {"cone_repairs", kRepair, "", "rounds of repair of infeasible cones",
      Read<&C::cone_repair, &ConeRepairSummary::cone_repairs>},
     {"cones_moved", kRepair, "", "cones moved to a neighbour",
      Read<&C::cone_repair, &ConeRepairSummary::cones_moved>},
     {"cones_widened", kRepair, "", "cones whose angle was given a range",
      Read<&C::cone_repair, &ConeRepairSummary::cones_widened>},
-    {"cones_for_range", kRepair, "",
-     "1: cones of the program's choice, without which doubles could not hold the map",
-     Read<&C::cone_repair, &ConeRepairSummary::cones_for_range>},
+    {"rungs_tried", kLadder, "", "other roads tried where the one asked for led to no map",
+     Read<&C::ladder, &LadderSummary::rungs_tried>},
     {"refinement_steps", kRefinedCones, "", "steps of the cones' angles",
      Read<&C::cone_refinement, &ConeRefinementSummary::refinement_steps>},
     {"refinement_solves", kRefinedCones, "", "solves for them",
@@ -127,6 +132,9 @@ constexpr Row kNumbers[] = {
      Read<&C::layout, &LayoutSummary::rotation_order>},
     {"cut_length", kLayout, "", "length of the cut over the square root of the area",
      Read<&C::layout, &LayoutSummary::cut_length>},
+    {"float32_vanishing_triangles", kLayout, "",
+     "triangles that vanish or flip for who reads the coordinates as 32-bit floats",
+     Read<&C::layout, &LayoutSummary::float32_vanishing_triangles>},
     {"seams", kSeams, "", "seams", Read<&C::seams, &SeamSummary::seams>},
     {"seam_length_mismatch", kSeams, "", "largest difference of the two lengths of an opened edge",
      Read<&C::seams, &SeamSummary::seam_length_mismatch>},

@@ -36,6 +36,9 @@ std::string CertificateReference() {
       "|\n"
       "| `history` | of `angles` and `radii`: max \\|gradient\\| at the start of the last solve and"
       " after every iteration |\n"
+      "| `ladder` | where the road that was asked for led to no map: `tried`, the roads in order "
+      "with `rung` (the first is \"as_asked\"), `outcome` and `message`, `made_with`, what the map "
+      "that came out was made with, and `since`, why |\n"
       "| `infeasibility` | with outcome infeasible: the proof, which verify_map checks |\n",
       kCertificateSchema, kCertificateVersion);
   std::vector<CertificateField> group;

@@ -2,30 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "cirque/angles/angle_fit.h"
 #include "cirque/angles/infeasibility.h"
-#include "cirque/angles/registry.h"
 #include "cirque/core/solve_summary.h"
-#include "cirque/core/text.h"
 #include "cirque/layout/untangle.h"
 #include "cirque/math/compensated_sum.h"
-#include "cirque/pipeline/flat_metric.h"
+#include "cirque/pipeline/solve_flat_metric.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
-constexpr char kRetry[] = "interior_point", kRetryObjective[] = "quadratic";
-constexpr char kFlat[] = "none: the surface is flat";
 
 double Area(const IntrinsicSurface& surface) {
   const Triangulation& t = surface.triangulation;
@@ -52,13 +42,6 @@ std::vector<bool> Neighbourhood(const Triangulation& t, std::vector<Index> faces
     faces = std::move(reached);
   }
   return inside;
-}
-
-/// max |gradient| at the start and after every iteration.
-std::vector<double> GradientsOf(const SolveSummary& solve) {
-  std::vector<double> gradients = {solve.initial_gradient_max};
-  for (const IterationRecord& step : solve.iterations) gradients.push_back(step.gradient_max);
-  return gradients;
 }
 
 /// One surface on its way to a flat metric.
@@ -123,152 +106,19 @@ class Flattening {
   }
 
   Status Solve() {
-    result_.infeasibility = {};
     flips_.flips = static_cast<int>(result_.intrinsic.flips.size());
-    const auto strategy = MakeSolverStrategy(options_.radii_solver, SolverOptions());
-    if (!strategy.ok()) return strategy.status();
-    if (Status s = FitAnglesAndRadii(**strategy); !s.ok()) return s;
-    return Timed([this] { return ReadBack(); }, &StageSeconds::layout);
-  }
-
-  /// The radii's system is analysed while the angles are fitted, and left with this scope: the
-  /// analysis reads a triangulation that the next round replaces.
-  Status FitAnglesAndRadii(const SolverStrategy& strategy) {
-    std::optional<IntrinsicSurface> flipped;
-    if (!result_.intrinsic.flips.empty()) {
-      flipped.emplace(MeasureSurface(t(), result_.intrinsic.lengths));
+    if (Status s = SolveFlatMetric(job_, rounds_solved_ > 0, &certificate_, &result_); !s.ok()) {
+      return s;
     }
-    const IntrinsicSurface& solved = flipped ? *flipped : job_.surface;
-    const ConeTargets targets = TransferTargets(job_.surface, targets_, solved);
-    if (const auto flat = FlatMetricOf(solved, targets)) return TakeAsItIs(*flat, targets);
-    RadiiSystem system(t(), strategy);
-    const auto fit = [&] { return FitAngles(solved, targets); };
-    if (Status s = Timed(fit, &StageSeconds::angles); !s.ok()) return s;
-    return Timed([&] { return SolveRadii(strategy, &system); }, &StageSeconds::radii);
-  }
-
-  template <class Step>
-  Status Timed(const Step& step, std::optional<double> StageSeconds::*stage) {
     const Timer timer;
-    Status status = step();
-    AddSeconds(timer, &(certificate_.seconds.*stage));
-    return status;
-  }
-
-  OptionMap SolverOptions() const {
-    return {{"max_iterations", std::to_string(options_.max_iterations)}};
+    ReadBack();
+    AddSeconds(timer, &certificate_.seconds.layout);
+    return Status();
   }
 
   const Triangulation& t() const { return result_.intrinsic.triangulation; }
 
-  /// A flat surface needs no solve.
-  Status TakeAsItIs(const FlatMetric& flat, const ConeTargets& targets) {
-    const AngleConstraints constraints(t(), targets);
-    result_.angles = flat.angles;
-    result_.log_radii = flat.log_radii;
-    result_.multipliers = Eigen::VectorXd::Zero(constraints.num_rows());
-    AngleFitResult fit;
-    fit.angles = flat.angles;
-    fit.kkt = CheckFeasibility(constraints, flat.angles.value);
-    fit.kkt.primal = fit.kkt.dual = 0;
-    fit.solve.strategy = kFlat;
-    Record(fit);
-    LogRadiiResult radii;
-    radii.log_radii = flat.log_radii;
-    radii.gradient_max = 2 * fit.kkt.triangle_sum_residual;
-    radii.solve.strategy = kFlat;
-    Record(radii);
-    return Status();
-  }
-
-  Status FitAngles(const IntrinsicSurface& solved, const ConeTargets& targets) {
-    const auto objective = AngleObjectives().Find(options_.angle_objective);
-    if (!objective.ok()) return objective.status();
-    const AngleConstraints constraints(t(), targets);
-    const auto method = MakeAngleSolver(options_.angle_solver, SolverOptions());
-    if (!method.ok()) return method.status();
-    const AngleFitProblem problem = {constraints, solved.angles.value, options_.epsilon,
-                                     StartOfFit(constraints)};
-    AngleFitResult fit;
-    Status status = cirque::FitAngles(problem, *objective, **method, job_.control, &fit);
-    if (status.code() == StatusCode::kNotConverged && result_.intrinsic.flips.empty()) {
-      RetryByInteriorPoint(problem, *objective, &fit, &status);
-    }
-    result_.infeasibility = std::move(fit.infeasibility);
-    Record(fit);
-    result_.angles = std::move(fit.angles);
-    result_.multipliers = std::move(fit.multipliers);
-    return status;
-  }
-
-  void Record(const AngleFitResult& fit) {
-    AngleFitSummary& summary = Fill(&certificate_.angle_fit);
-    summary.smallest_angle = fit.kkt.smallest_angle;
-    summary.smallest_theta = fit.kkt.smallest_theta;
-    summary.epsilon = fit.angles.epsilon;
-    summary.triangle_sum_residual = fit.kkt.triangle_sum_residual;
-    summary.vertex_sum_residual = fit.kkt.vertex_sum_residual;
-    summary.angle_primal = fit.kkt.primal;
-    summary.angle_dual = fit.kkt.dual;
-    summary.angle_gap = fit.kkt.RelativeGap();
-    summary.angle_iterations = fit.solve.num_iterations();
-    summary.angle_factorizations = fit.solve.factorizations;
-    summary.angle_cg_iterations = fit.solve.cg_iterations;
-    summary.solver = fit.solve.strategy;
-    summary.gradients = GradientsOf(fit.solve);
-  }
-
-  /// Another round changes the triangulation in a few places: its multipliers are nearly the last
-  /// round's.
-  const Eigen::VectorXd* StartOfFit(const AngleConstraints& constraints) const {
-    const bool fits = rounds_solved_ > 0 && result_.multipliers.size() == constraints.num_rows();
-    return fits ? &result_.multipliers : nullptr;
-  }
-
-  /// The dual can wander where no coherent angles exist, or hardly any, before its iterates prove
-  /// it. The interior point then decides: angles or a proof. Which angles there are at all does not
-  /// depend on the objective, if it should be one that the interior point does not take.
-  void RetryByInteriorPoint(const AngleFitProblem& problem,
-                            const std::shared_ptr<const AngleObjective>& objective,
-                            AngleFitResult* fit, Status* status) {
-    const auto method = MakeAngleSolver(kRetry);
-    if (!method.ok()) return;
-    AngleFitResult retried;
-    Status again = cirque::FitAngles(problem, objective, **method, job_.control, &retried);
-    if (again.code() == StatusCode::kInvalidInput) {
-      const auto quadratic = AngleObjectives().Find(kRetryObjective);
-      again = cirque::FitAngles(problem, *quadratic, **method, job_.control, &retried);
-    }
-    if (!again.ok() && again.code() != StatusCode::kInfeasible) return;
-    Fill(&certificate_.angle_fit).angle_fit_retried = 1;
-    *fit = std::move(retried);
-    *status = again;
-  }
-
-  Status SolveRadii(const SolverStrategy& strategy, RadiiSystem* system) {
-    LogRadiiResult radii;
-    Status status = SolveLogRadii(t(), result_.angles, strategy, job_.control, system, &radii);
-    Record(radii);
-    result_.log_radii = std::move(radii.log_radii);
-    return status;
-  }
-
-  void Record(const LogRadiiResult& radii) {
-    RadiiSummary& summary = Fill(&certificate_.radii);
-    const Eigen::VectorXd& rho = radii.log_radii.value;
-    summary.radii_gradient = radii.gradient_max;
-    summary.radii_primal = radii.energy;
-    summary.radii_dual = radii.dual_energy;
-    summary.radii_gap = radii.RelativeGap();
-    summary.radii_iterations = radii.solve.num_iterations();
-    summary.radii_factorizations = radii.solve.factorizations + radii.start.factorizations;
-    summary.radii_cg_iterations = radii.solve.cg_iterations + radii.start.cg_iterations;
-    summary.log_radius_range = rho.maxCoeff() - rho.minCoeff();
-    summary.solver = radii.solve.strategy;
-    summary.gradients = GradientsOf(radii.solve);
-  }
-
-  Status ReadBack() {
+  void ReadBack() {
     const CornerAngles flat = FlatCornerAngles(t(), result_.angles, result_.log_radii);
     ScaleToSurfaceArea(flat);
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
@@ -276,7 +126,6 @@ class Flattening {
     flips_.flipped_in_chart = static_cast<int>(result_.on_input.flipped.size());
     Untangle();
     AddWrapped(flat);
-    return Status();
   }
 
   /// Triangles may turn twice round a vertex without one of them being flipped: its angles add up to

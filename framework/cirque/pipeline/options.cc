@@ -34,9 +34,11 @@ std::vector<Option<O>> ConeOptions() {
                 "the cone heuristic, NAME or NAME:KEY=VALUE,...; names " +
                     Join(ConeHeuristics().Names()) +
                     "; without it a closed surface gets cones that stretch its triangles "
-                    "little, a torus none")
+                    "little, a torus 8 where its area would else range over more than e^4, and "
+                    "none otherwise")
           .Checked(CheckConeHeuristic),
-      Option<O>("cone_budget", &O::cone_budget, "the most cones; -1: the heuristic's own default")
+      Option<O>("cone_budget", &O::cone_budget,
+                "the most cones, but for what Gauss-Bonnet needs; -1: the heuristic's own default")
           .Between(-1, 1e6),
       Option<O>("cone_angles", &O::cone_angles,
                 "free, pi/2, pi/3 (multiples of that), ranges or ranges:width=RADIANS")
@@ -56,7 +58,7 @@ std::vector<Option<O>> MapOptions() {
           .Checked(CheckRefineMap),
       {"seams", &O::seams,
        "the two sides of a cut stay congruent, or the surface opened along it gets a free "
-       "boundary"},
+       "boundary; auto: that along a cut that is given without cones"},
       {"cut_cost", &O::cut_cost, "what the cut is short in"},
       {"edge_costs", &O::edge_costs, "file of factors on that: 'from to cost' a line"}};
 }
@@ -66,7 +68,10 @@ std::vector<Option<O>> LimitingOptions() {
                     "least corner and intersection angle; shrinks where it must")
               .Between(1e-12, 1)
               .Unit("rad"),
-          Option<O>("max_iterations", &O::max_iterations, "limit of each solve").Between(1, 1e6)};
+          Option<O>("max_iterations", &O::max_iterations, "limit of each solve").Between(1, 1e6),
+          {"strict", &O::strict,
+           "stop where the road that was asked for leads to no map; otherwise other solvers, moved "
+           "cones and cones by other heuristics are tried, and said in the certificate"}};
 }
 
 /// Rows of one group.

@@ -27,12 +27,13 @@ inline constexpr auto kEnumWords<LayoutMethod> = std::to_array<EnumWord<LayoutMe
     {{LayoutMethod::kDirections, "directions"}, {LayoutMethod::kLeastSquares, "least_squares"}});
 
 /// kRigid: the two sides of a cut stay congruent, the metric is flat but for the cones. kFree: cones
-/// only choose the cut, and the surface opened along it gets a free boundary.
-enum class SeamKind { kRigid, kFree };
+/// only choose the cut, and the surface opened along it gets a free boundary. kAuto: free along a
+/// cut that is given where neither targets nor cones are, rigid otherwise.
+enum class SeamKind { kAuto, kRigid, kFree };
 
 template <>
-inline constexpr auto kEnumWords<SeamKind> =
-    std::to_array<EnumWord<SeamKind>>({{SeamKind::kRigid, "rigid"}, {SeamKind::kFree, "free"}});
+inline constexpr auto kEnumWords<SeamKind> = std::to_array<EnumWord<SeamKind>>(
+    {{SeamKind::kAuto, "auto"}, {SeamKind::kRigid, "rigid"}, {SeamKind::kFree, "free"}});
 
 /// What a cut shall be short in (CutCosts).
 enum class CutCost { kFlatLength, kLength, kDistortion, kCurvature };
@@ -61,11 +62,12 @@ struct ParameterizeOptions {
   /// How the finished map is refined: "auto" where that is worth its time (RefineByPatches), a name
   /// of MapObjectives() (RefineMap), both with options as in "mips:steps=5", or "none".
   std::string refine_map = "auto";
-  SeamKind seams = SeamKind::kRigid;
+  SeamKind seams = SeamKind::kAuto;
   CutCost cut_cost = CutCost::kFlatLength;
   std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve
+  bool strict = false;       ///< no other road where this one leads to no map (pipeline/ladder.h)
 };
 
 /// The table of its fields: names, bounds, meaning, group.

@@ -7,27 +7,16 @@
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/certificate.h"
-#include "cirque/pipeline/flatten.h"
 #include "cirque/pipeline/options.h"
+#include "cirque/pipeline/parameterization.h"
 
 namespace cirque {
-
-/// What comes out of every stage.
-struct Parameterization {
-  ConeTargets targets;  ///< what the angle sums were asked to be in the end
-  FlatSurface flat;
-  Cut cut;                  ///< edges of the surface along which it was opened for the layout
-  CornerUv uv;              ///< of the surface's own corners; several at a vertex on the cut
-  Certificate certificate;  ///< filled as far as the stages came, whatever the outcome
-};
 
 /// What to parameterize for.
 struct ParameterizeRequest {
   ParameterizeOptions options = {};
   /// The interval of every vertex's angle sum. Nothing: the cones that the options name
-  /// (PlaceCones); where they turn out infeasible they are moved and widened where the proof points
-  /// (RepairCones) before there is no map.
+  /// (PlaceCones), or none where the surface is opened along the cut (SeamKind).
   std::optional<ConeTargets> targets = {};
   std::optional<Cut> cut = {};  ///< nothing: a short one through the cones is found
 };
@@ -36,7 +25,9 @@ struct ParameterizeRequest {
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 
 /// Maps a surface of any topology to the plane: intrinsic Delaunay flips, coherent angles, log
-/// radii, a cut through the cones, layout. The status is kInfeasible (the certificate holds the
+/// radii, a cut through the cones, layout. Where that leads to no map, or to one that misses
+/// kAccuracy, other roads are tried unless the options are strict (pipeline/ladder.h); what was
+/// asked for stays, and the certificate says which. The status is kInfeasible (the certificate holds the
 /// proof), kUnrepresentable or kNotConverged when there is no map, kInvalidInput for targets or a
 /// cut that fit no map; `result` then carries no uv.
 Status Parameterize(const Surface& surface, const ParameterizeRequest& request,

@@ -44,7 +44,27 @@ struct RadiiSummary {
 /// Cones that were infeasible, and what became of them (RepairCones).
 struct ConeRepairSummary {
   int cone_repairs = 0, cones_moved = 0, cones_widened = 0;
-  int cones_for_range = 0;  ///< 1: without more cones doubles could not hold the map
+};
+
+/// Cones by a heuristic with a number that was asked for and was too small for Gauss-Bonnet, or for
+/// angles that are multiples.
+struct ConeBudgetSummary {
+  int cones_asked = 0, cones_needed = 0;
+};
+
+/// A rung of the ladder (pipeline/ladder.h) that was tried.
+struct RungSummary {
+  std::string rung;     ///< its name; of the road that was asked for "as_asked"
+  std::string outcome;  ///< as of a certificate
+  std::string message;  ///< why, when that is not ok
+};
+
+/// The ladder, where the road that was asked for led to no map.
+struct LadderSummary {
+  std::vector<RungSummary> tried;  ///< in order, first the road that was asked for
+  int rungs_tried = 0;             ///< without that
+  std::string made_with;           ///< what the map that came out was made with; empty: as asked
+  std::string since;               ///< why it was not made as asked
 };
 
 /// RefineCones.
@@ -59,6 +79,8 @@ struct LayoutSummary {
   int flipped_triangles = 0;
   std::optional<int> cones, patches, rotation_order;
   std::optional<double> cut_length;
+  /// Triangles that are flipped or have no area for who reads the coordinates as floats.
+  std::optional<int> float32_vanishing_triangles;
 };
 
 /// The seams of a layout (MeasureSeams).

@@ -1,0 +1,297 @@
+#include "cirque/pipeline/ladder.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cirque/cones/cone.h"
+#include "cirque/pipeline/cone_stages.h"
+
+namespace cirque {
+namespace {
+
+constexpr char kAsAsked[] = "as_asked";
+constexpr int kMoreIterations = 10;       ///< times
+constexpr int kLeastCones = 8;            ///< of a heuristic
+constexpr int kMostCones = 512;           ///< of a heuristic that places or moves them one by one
+constexpr double kRadiiTolerance = 1e-9;  ///< [rad], of SolveLogRadii
+
+/// The last road tried.
+struct Ended {
+  const LadderStart& start;
+  const Road& road;
+  RoadEnd end;
+  const Parameterization& map;
+};
+
+RoadEnd EndOf(const Status& status, const Certificate& certificate) {
+  switch (status.code()) {
+    case StatusCode::kOk:
+      return Inaccuracy(certificate).empty() ? RoadEnd::kMap : RoadEnd::kImprecise;
+    case StatusCode::kInfeasible:
+      return RoadEnd::kInfeasible;
+    case StatusCode::kUnrepresentable:
+      return RoadEnd::kUnrepresentable;
+    case StatusCode::kNotConverged:
+      return RoadEnd::kNotConverged;
+    default:
+      return RoadEnd::kStopped;
+  }
+}
+
+const char* Since(RoadEnd end) {
+  switch (end) {
+    case RoadEnd::kImprecise:
+      return "doubles could not hold the map accurately";
+    case RoadEnd::kInfeasible:
+      return "no coherent angles exist without";
+    case RoadEnd::kUnrepresentable:
+      return "doubles could not hold the map";
+    default:
+      return "the solve did not converge";
+  }
+}
+
+const ParameterizeOptions& Asked(const Ended& last) { return last.start.asked.options; }
+
+bool FailedInRadii(const Ended& last) {
+  const std::optional<RadiiSummary>& radii = last.map.certificate.radii;
+  return last.end == RoadEnd::kNotConverged && radii && !(radii->radii_gradient <= kRadiiTolerance);
+}
+
+bool FailedInAngles(const Ended& last) {
+  return last.end == RoadEnd::kNotConverged && !FailedInRadii(last);
+}
+
+bool MayIterateMore(const Ended& last) {
+  return Asked(last).max_iterations == ParameterizeOptions().max_iterations;
+}
+
+/// Whether the cones are the program's to choose.
+bool MayChooseCones(const Ended& last) {
+  const LadderStart& start = last.start;
+  return !start.asked.targets && !start.cut_given && Asked(last).cones.empty();
+}
+
+/// Whether the cones that are there are a heuristic's.
+bool MayRepairCones(const Ended& last) {
+  return !last.start.asked.targets && !Asked(last).cones.starts_with("given");
+}
+
+// When rungs apply.
+
+bool OpenedAlongCut(const Ended& last) {
+  return last.start.cut_given && Asked(last).seams == SeamKind::kAuto &&
+         !last.start.asked.targets && Asked(last).cones.empty();
+}
+
+bool RadiiNeedMore(const Ended& last) { return FailedInRadii(last) && MayIterateMore(last); }
+
+bool AnglesNeedMore(const Ended& last) { return FailedInAngles(last) && MayIterateMore(last); }
+
+bool NotQuadratic(const Ended& last) {
+  return last.end == RoadEnd::kNotConverged && last.road.options.angle_objective != "quadratic";
+}
+
+bool DualWanders(const Ended& last) {
+  return FailedInAngles(last) && Asked(last).angle_solver == ParameterizeOptions().angle_solver;
+}
+
+bool ConesInfeasible(const Ended& last) {
+  return last.end == RoadEnd::kInfeasible && MayRepairCones(last) &&
+         !last.map.flat.infeasibility.empty();
+}
+
+// What rungs change; false: nothing.
+
+bool KeepSeamsRigid(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.seams = SeamKind::kRigid;
+  return true;
+}
+
+bool IterateMore(const Ended& last, int times, Road* road) {
+  road->options.max_iterations = times * Asked(last).max_iterations;
+  return true;
+}
+
+bool FitQuadratic(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.angle_objective = "quadratic";
+  return true;
+}
+
+bool FitByInteriorPoint(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.angle_objective = "quadratic";
+  road->options.angle_solver = "interior_point";
+  return true;
+}
+
+bool Repair(const Ended& last, int round, Road* road) {
+  ConeRepair repaired =
+      RepairCones(last.start.surface, last.map.targets, last.map.flat.infeasibility, round);
+  if (repaired.moved + repaired.widened == 0) return false;
+  ConeRepairSummary& summary = Fill(&road->repair);
+  summary.cone_repairs = round;
+  summary.cones_moved += repaired.moved;
+  summary.cones_widened = repaired.widened;
+  road->targets = std::move(repaired.targets);
+  return true;
+}
+
+/// The road that was asked for, with other cones.
+bool PlaceAnew(const Ended& last, const std::string& heuristic, int factor, Road* road) {
+  const Triangulation& t = last.start.surface.triangulation;
+  const bool closed = BoundaryLoops(t).empty();
+  int count = kLeastCones;
+  if (closed) {
+    const StatusOr<ConeTargets> plain = DefaultTargets(last.start.surface);
+    if (plain.ok()) count = std::max(count, static_cast<int>(ConesOf(t, *plain).size()));
+  }
+  count *= factor;
+  if (count > kMostCones || (factor > 1 && count > t.num_vertices / 2)) return false;
+  const int max_iterations = road->options.max_iterations;
+  *road = last.start.asked;
+  road->options.max_iterations = max_iterations;
+  road->options.cones = heuristic;
+  road->options.cone_budget = count;
+  return true;
+}
+
+bool PlaceMoving(const Ended& last, int factor, Road* road) {
+  return PlaceAnew(last, "moving:measure=angle", factor, road);
+}
+
+bool PlaceGreedy(const Ended& last, int factor, Road* road) {
+  return PlaceAnew(last, "greedy", factor, road);
+}
+
+bool PlaceL1(const Ended& last, int factor, Road* road) {
+  return PlaceAnew(last, "l1", factor, road);
+}
+
+/// A line of the ladder.
+struct Rung {
+  const char* name;
+  const char* made_with;  ///< what a map of it is made with, for people
+  bool same_targets;      ///< a proof on it is one about the road that was asked for
+  bool (*applies)(const Ended&);
+  bool (*change)(const Ended&, int number, Road*);
+  int number;  ///< what `change` counts
+};
+
+constexpr Rung kRungs[] = {
+    {"rigid_seams", "rigid seams along the cut", false, OpenedAlongCut, KeepSeamsRigid, 0},
+    {"more_iterations", "more iterations for the radii", true, RadiiNeedMore, IterateMore,
+     kMoreIterations},
+    {"quadratic", "the quadratic objective of the angles", true, NotQuadratic, FitQuadratic, 0},
+    {"interior_point", "angles by the interior point", true, DualWanders, FitByInteriorPoint, 0},
+    {"move_cones", "moved cones", false, ConesInfeasible, Repair, 1},
+    {"widen_cones_1", "moved cones of wider angles", false, ConesInfeasible, Repair, 2},
+    {"widen_cones_2", "moved cones of wider angles", false, ConesInfeasible, Repair, 3},
+    {"widen_cones_3", "moved cones of wider angles", false, ConesInfeasible, Repair, 4},
+    {"widen_cones_4", "moved cones of wider angles", false, ConesInfeasible, Repair, 5},
+    {"greedy", "cones by greedy", false, MayChooseCones, PlaceGreedy, 1},
+    {"moving_2", "twice as many cones by moving", false, MayChooseCones, PlaceMoving, 2},
+    {"moving_4", "four times as many cones by moving", false, MayChooseCones, PlaceMoving, 4},
+    {"greedy_8", "eight times as many cones by greedy", false, MayChooseCones, PlaceGreedy, 8},
+    {"moving", "cones by moving", false, MayChooseCones, PlaceMoving, 1},
+    {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
+    {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
+     IterateMore, kMoreIterations},
+};
+
+/// A road taken.
+struct Taken {
+  Road road;
+  Status status;
+  RoadEnd end;
+  Parameterization map;
+};
+
+class Climb {
+ public:
+  Climb(const LadderStart& start, const TakeARoad& take) : start_(start), take_(take) {}
+
+  Status Run(Parameterization* result) {
+    last_ = kept_ = Take(start_.asked, kAsAsked);
+    const RoadEnd first = kept_->end;
+    const bool settled = first == RoadEnd::kMap || first == RoadEnd::kStopped;
+    if (!settled && !start_.asked.options.strict) {
+      TryRungs();
+      Describe(first);
+    }
+    *result = std::move(kept_->map);
+    return kept_->status;
+  }
+
+ private:
+  std::shared_ptr<Taken> Take(const Road& road, const char* name) {
+    auto taken = std::make_shared<Taken>(Taken{road, {}, RoadEnd::kStopped, {}});
+    taken->status = take_(road, &taken->map);
+    taken->map.certificate.cone_repair = road.repair;
+    taken->end = EndOf(taken->status, taken->map.certificate);
+    const bool inaccurate = taken->end == RoadEnd::kImprecise;
+    ladder_.tried.push_back(
+        {name, inaccurate ? kInaccurate : ToString(taken->status.code()),
+         inaccurate ? Inaccuracy(taken->map.certificate) : taken->status.message()});
+    return taken;
+  }
+
+  void TryRungs() {
+    for (const Rung& rung : kRungs) {
+      const Ended last{start_, last_->road, last_->end, last_->map};
+      Road next = last_->road;
+      if (!rung.applies(last) || !rung.change(last, rung.number, &next)) continue;
+      const std::shared_ptr<Taken> taken = Take(next, rung.name);
+      ++ladder_.rungs_tried;
+      if (taken->status.code() == StatusCode::kCancelled) {
+        kept_ = taken;
+        return;
+      }
+      if (taken->end == RoadEnd::kStopped) continue;  // a heuristic that finds no cones here
+      last_ = taken;
+      if (Keep(rung, taken)) return;
+    }
+  }
+
+  /// Keeps it if it is the best so far; whether it is all that was hoped for.
+  bool Keep(const Rung& rung, const std::shared_ptr<Taken>& taken) {
+    const bool is_map = taken->end == RoadEnd::kMap;
+    const bool better = is_map || (taken->end == RoadEnd::kImprecise && !kept_->status.ok());
+    const bool proves = rung.same_targets && taken->end == RoadEnd::kInfeasible &&
+                        kept_->end == RoadEnd::kNotConverged;
+    if (better) ladder_.made_with = rung.made_with;
+    if (better || proves) kept_ = taken;
+    return is_map;
+  }
+
+  void Describe(RoadEnd first) {
+    Status& status = kept_->status;
+    if (!ladder_.made_with.empty()) ladder_.since = Since(first);
+    if (!status.ok() && ladder_.rungs_tried > 0) {
+      status = Status(status.code(), fmt::format("{} ({} other roads tried: see the certificate)",
+                                                 status.message(), ladder_.rungs_tried));
+    }
+    kept_->map.certificate.ladder = std::move(ladder_);
+  }
+
+  const LadderStart& start_;
+  const TakeARoad& take_;
+  std::shared_ptr<Taken> last_, kept_;  ///< the last that led somewhere, and the best so far
+  LadderSummary ladder_;
+};
+
+}  // namespace
+
+Status ClimbLadder(const LadderStart& start, const TakeARoad& take, Parameterization* result) {
+  return Climb(start, take).Run(result);
+}
+
+std::vector<std::string> LadderRungs() {
+  std::vector<std::string> names;
+  for (const Rung& rung : kRungs) names.push_back(rung.name);
+  return names;
+}
+
+}  // namespace cirque

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/status.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/pipeline/options.h"
+#include "cirque/pipeline/parameterization.h"
+#include "cirque/pipeline/summaries.h"
+
+namespace cirque {
+
+/// One road from a surface to its map: how, and for which targets.
+struct Road {
+  ParameterizeOptions options = {};
+  std::optional<ConeTargets> targets = {};       ///< nothing: as the options place them
+  std::optional<ConeRepairSummary> repair = {};  ///< what was done to the cones of a road before
+};
+
+/// Takes a road, as far as it leads.
+using TakeARoad = std::function<Status(const Road& road, Parameterization* result)>;
+
+/// Where the ladder stands.
+struct LadderStart {
+  const IntrinsicSurface& surface;
+  const Road& asked;  ///< with the user's targets, if there are any
+  bool cut_given = false;
+};
+
+/// How a road ended, as far as the ladder tells ends apart.
+enum class RoadEnd {
+  kMap,
+  kImprecise,  ///< a map that misses kAccuracy
+  kInfeasible,
+  kUnrepresentable,
+  kNotConverged,
+  kStopped  ///< cancelled, bad input, a failing machine: nothing else is tried
+};
+
+/// Takes the road that was asked for. Where it leads to no map, or to an inaccurate one, the rungs
+/// of the ladder that apply are tried, each once, in the order of LadderRungs(), each from where the
+/// road before it ended, until one leads to an accurate map. That, or else the first inaccurate
+/// one, is the result; where there is none, that of the road asked for with its proof, or the first
+/// proof about the same targets. The certificate's ladder lists what was tried. With
+/// `asked.options.strict` no rung is.
+///
+/// Targets of the user stay as they are, and cones of a heuristic that the user named are moved and
+/// widened (RepairCones) but not replaced, those of a file not even that. Cones where nobody asked
+/// for any come to surfaces with a boundary only where no cut was given.
+Status ClimbLadder(const LadderStart& start, const TakeARoad& take, Parameterization* result);
+
+/// The names of the rungs, in order.
+std::vector<std::string> LadderRungs();
+
+}  // namespace cirque

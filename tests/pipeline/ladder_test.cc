@@ -1,0 +1,286 @@
+#include "cirque/pipeline/ladder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/parameterize.h"
+
+#include "tests/common/surfaces.h"
+
+namespace cirque {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Roads that lead where a test says.
+class Ladder : public testing::Test {
+ protected:
+  Ladder()
+      : surface_(GeneratedSurface("bumpy_terrain", 100)),
+        lengths_(MeasureEdgeLengths(surface_)),
+        measured_(MeasureSurface(surface_.triangulation, lengths_)) {}
+
+  template <class EndOf>
+  Status Climb(const Road& asked, const EndOf& end_of) {
+    const auto take = [&](const Road& road, Parameterization* map) {
+      taken_.push_back(road);
+      map->targets = FreeBoundaryTargets(surface_.triangulation);
+      return end_of(road, map);
+    };
+    return ClimbLadder({measured_, asked, cut_given_}, take, &map_);
+  }
+
+  std::vector<std::string> Tried() const {
+    std::vector<std::string> names;
+    if (map_.certificate.ladder) {
+      for (const RungSummary& rung : map_.certificate.ladder->tried) names.push_back(rung.rung);
+    }
+    return names;
+  }
+
+  Surface surface_;
+  EdgeLengths lengths_;
+  IntrinsicSurface measured_;
+  bool cut_given_ = false;
+  std::vector<Road> taken_;
+  Parameterization map_;
+};
+
+Status Unrepresentable() { return {StatusCode::kUnrepresentable, "too wide"}; }
+
+TEST_F(Ladder, IsNotClimbedWhereTheRoadAskedForLeadsToAMap) {
+  EXPECT_TRUE(Climb({}, [](const Road&, Parameterization*) { return Status(); }).ok());
+  EXPECT_EQ(taken_.size(), 1u);
+  EXPECT_FALSE(map_.certificate.ladder.has_value());
+}
+
+TEST_F(Ladder, StopsAtTheFirstRoadWhenStrict) {
+  Road asked;
+  asked.options.strict = true;
+  const Status status =
+      Climb(asked, [](const Road&, Parameterization*) { return Unrepresentable(); });
+  EXPECT_EQ(status.code(), StatusCode::kUnrepresentable);
+  EXPECT_EQ(status.message(), "too wide");
+  EXPECT_EQ(taken_.size(), 1u);
+  EXPECT_FALSE(map_.certificate.ladder.has_value());
+}
+
+TEST_F(Ladder, EndsWithTheFirstMapAndSaysWhatItIsMadeWith) {
+  const Status status = Climb({}, [](const Road& road, Parameterization*) {
+    return road.options.cones == "moving:measure=angle" ? Status() : Unrepresentable();
+  });
+  EXPECT_TRUE(status.ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "greedy", "moving_2"));
+  const LadderSummary& ladder = *map_.certificate.ladder;
+  EXPECT_EQ(ladder.rungs_tried, 2);
+  EXPECT_EQ(ladder.made_with, "twice as many cones by moving");
+  EXPECT_THAT(ladder.since, HasSubstr("doubles could not hold the map"));
+  EXPECT_EQ(ladder.tried[0].outcome, "unrepresentable");
+  EXPECT_EQ(ladder.tried[2].outcome, "ok");
+  const auto json = nlohmann::json::parse(map_.certificate.ToJson())["ladder"];
+  EXPECT_EQ(json["tried"][1]["rung"], "greedy");
+  EXPECT_EQ(json["tried"][1]["message"], "too wide");
+  EXPECT_EQ(json["made_with"], ladder.made_with);
+}
+
+TEST_F(Ladder, TriesEachRungOnceAndDeliversTheFirstFailure) {
+  int calls = 0;
+  const Status status = Climb({}, [&](const Road&, Parameterization*) {
+    return ++calls == 1 ? Status(StatusCode::kUnrepresentable, "the first")
+                        : Status(StatusCode::kNotConverged, "another");
+  });
+  EXPECT_EQ(status.code(), StatusCode::kUnrepresentable);
+  EXPECT_THAT(status.message(), HasSubstr("the first"));
+  EXPECT_THAT(status.message(), HasSubstr("other roads tried"));
+  const std::vector<std::string> tried = Tried();
+  EXPECT_GT(tried.size(), 4u);
+  EXPECT_EQ(std::set<std::string>(tried.begin(), tried.end()).size(), tried.size());
+  EXPECT_EQ(map_.certificate.ladder->made_with, "");
+  const std::vector<std::string> all = LadderRungs();
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < tried.size(); ++i) {
+    const auto at =
+        static_cast<std::size_t>(std::find(all.begin(), all.end(), tried[i]) - all.begin());
+    EXPECT_LT(at, all.size());
+    EXPECT_TRUE(i == 1 || at > last) << tried[i];
+    last = at;
+  }
+}
+
+TEST_F(Ladder, TargetsOfTheUserAndTheirLimitsStay) {
+  Road asked;
+  asked.targets = FreeBoundaryTargets(surface_.triangulation);
+  asked.options.max_iterations = 7;
+  Climb(asked, [](const Road&, Parameterization*) {
+    return Status(StatusCode::kNotConverged, "wanders");
+  }).ok();
+  EXPECT_GT(taken_.size(), 1u);
+  for (const Road& road : taken_) {
+    ASSERT_TRUE(road.targets.has_value());
+    EXPECT_EQ(road.targets->lower, asked.targets->lower);
+    EXPECT_EQ(road.options.max_iterations, 7);
+    EXPECT_EQ(road.options.cones, "");
+  }
+}
+
+TEST_F(Ladder, RadiiThatDoNotConvergeGetMoreIterationsUnlessTheLimitIsTheUsers) {
+  const auto slow = [](const Road& road, Parameterization* map) {
+    Fill(&map->certificate.radii).radii_gradient = 1e-3;
+    return road.options.max_iterations > 100 ? Status() : Status(StatusCode::kNotConverged, "slow");
+  };
+  EXPECT_TRUE(Climb({}, slow).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "more_iterations"));
+  Road limited;
+  limited.options.max_iterations = 50;
+  EXPECT_EQ(Climb(limited, slow).code(), StatusCode::kNotConverged);
+}
+
+TEST_F(Ladder, ACutThatIsGivenGetsNoCones) {
+  cut_given_ = true;
+  Climb({}, [](const Road&, Parameterization*) { return Unrepresentable(); }).ok();
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "rigid_seams"));
+}
+
+TEST_F(Ladder, AProofAboutTheSameTargetsIsKept) {
+  Road asked;
+  asked.targets = FreeBoundaryTargets(surface_.triangulation);
+  const Status status = Climb(asked, [](const Road& road, Parameterization* map) {
+    if (road.options.angle_solver != "interior_point") {
+      return Status(StatusCode::kNotConverged, "wanders");
+    }
+    map->flat.infeasibility.face_multiplier = {1};
+    return Status(StatusCode::kInfeasible, "proven");
+  });
+  EXPECT_EQ(status.code(), StatusCode::kInfeasible);
+  EXPECT_FALSE(map_.flat.infeasibility.empty());
+}
+
+TEST_F(Ladder, AnInaccurateMapIsBetterThanNoneAndAnAccurateOneThanThat) {
+  const auto inaccurate = [](Parameterization* map) {
+    Fill(&map->certificate.layout).layout_closure = 1e-5;
+    return Status();
+  };
+  const Status status = Climb({}, [&](const Road& road, Parameterization* map) {
+    if (road.options.cones.empty()) return Unrepresentable();
+    return road.options.cones == "l1" ? Status() : inaccurate(map);
+  });
+  EXPECT_TRUE(status.ok());
+  EXPECT_EQ(map_.certificate.ladder->made_with, "cones by l1");
+  EXPECT_EQ(map_.certificate.ladder->tried[1].outcome, kInaccurate);
+  EXPECT_TRUE(Climb({}, [&](const Road&, Parameterization* map) { return inaccurate(map); }).ok());
+  EXPECT_EQ(map_.certificate.ladder->made_with, "");
+}
+
+TEST_F(Ladder, CancellationEndsIt) {
+  int calls = 0;
+  const Status status = Climb({}, [&](const Road&, Parameterization*) {
+    return ++calls < 3 ? Unrepresentable() : Status(StatusCode::kCancelled, "stop");
+  });
+  EXPECT_EQ(status.code(), StatusCode::kCancelled);
+  EXPECT_EQ(calls, 3);
+}
+
+/// A map without flipped triangles, made by the ladder; without it the outcome is `strictly`.
+Parameterization MapByLadder(const Surface& surface, StatusCode strictly) {
+  ParameterizeOptions options;
+  Parameterization map, strict;
+  options.strict = true;
+  EXPECT_EQ(Parameterize(surface, {options}, {}, &strict).code(), strictly);
+  EXPECT_FALSE(strict.certificate.ladder.has_value());
+  options.strict = false;
+  const Status status = Parameterize(surface, {options}, {}, &map);
+  EXPECT_TRUE(status.ok()) << status.message();
+  EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
+  EXPECT_EQ(map.certificate.outcome, "ok");
+  EXPECT_TRUE(map.certificate.ladder.has_value());
+  if (map.certificate.ladder) {
+    EXPECT_EQ(map.certificate.ladder->tried.front().outcome, ToString(strictly));
+    EXPECT_NE(map.certificate.ladder->made_with, "");
+  }
+  return map;
+}
+
+TEST(LadderOfParameterize, AnOctahedronGetsConesThatHaveAMap) {
+  // With six cones of its own angles it is flat already.
+  const Parameterization map = MapByLadder(RegularPolyhedron(8), StatusCode::kInfeasible);
+  EXPECT_NEAR(MeasureGaussBonnetDefect(RegularPolyhedron(8).triangulation, map.targets).lower, 0,
+              1e-9);
+  EXPECT_LT(map.certificate.distortion->quasi_conformal_mean, 1.01);
+}
+
+TEST(LadderOfParameterize, ADiskWithoutCoherentAnglesGetsCones) {
+  // A triangle split twice, three corners of every innermost vertex: these corners exceed what the
+  // intersection angles leave. Spires, so that every edge is Delaunay and no flip helps.
+  const Surface surface =
+      Moved(Kleetope(Kleetope(FlatStrip(1, 1))), [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+        const bool on_square = x.x() == 0 || x.y() == 0 || x.x() == 1 || x.y() == 1;
+        const Eigen::Vector3d a(1. / 3, 1. / 3, 0), b(2. / 3, 1. / 3, 0), c(1. / 3, 2. / 3, 0),
+            d(2. / 3, 2. / 3, 0);
+        double nearest = 1;
+        for (const Eigen::Vector3d& p : {a, b, c, d}) nearest = std::min(nearest, (x - p).norm());
+        return on_square || nearest < 1e-9 ? x : x + Eigen::Vector3d(0, 0, 2);
+      });
+  const Parameterization map = MapByLadder(surface, StatusCode::kInfeasible);
+  EXPECT_GT(*map.certificate.layout->cones, 0);
+}
+
+/// A tube of radius 1, closed at both ends, but for one triangle in its middle: two limbs, each seen
+/// from a small hole.
+Surface TwoLimbs(int rings) {
+  constexpr int kSides = 12;
+  PolygonSoup soup;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int i = 0; i < kSides; ++i) {
+      soup.position.emplace_back(std::cos(2 * kPi * i / kSides), std::sin(2 * kPi * i / kSides),
+                                 0.5 * ring);
+    }
+  }
+  const Index bottom = rings * kSides, top = bottom + 1;
+  soup.position.emplace_back(0, 0, -0.5);
+  soup.position.emplace_back(0, 0, 0.5 * rings);
+  const auto add = [&](Index a, Index b, Index c) {
+    soup.corner.insert(soup.corner.end(), {a, b, c});
+    soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  };
+  for (int ring = 0; ring + 1 < rings; ++ring) {
+    for (int i = 0; i < kSides; ++i) {
+      const Index a = ring * kSides + i, b = ring * kSides + (i + 1) % kSides;
+      if (ring != rings / 2 || i != 0) add(a, b, a + kSides);
+      add(b, b + kSides, a + kSides);
+    }
+  }
+  for (int i = 0; i < kSides; ++i) {
+    const Index last = (rings - 1) * kSides, j = (i + 1) % kSides;
+    add(j, i, bottom);
+    add(last + i, last + j, top);
+  }
+  return SurfaceOf(soup);
+}
+
+TEST(LadderOfParameterize, LongLimbsGetConesWhereDoublesCannotHoldTheirMap) {
+  const Parameterization map = MapByLadder(TwoLimbs(200), StatusCode::kUnrepresentable);
+  EXPECT_GE(*map.certificate.layout->cones, 1);
+}
+
+TEST(Parameterize, TrianglesThatVanishInSinglePrecisionAreCounted) {
+  const Surface surface = TwoLimbs(80);
+  ParameterizeOptions options;
+  options.strict = true;
+  Parameterization wide, narrow;
+  ASSERT_TRUE(Parameterize(surface, {options}, {}, &wide).ok());
+  EXPECT_EQ(wide.certificate.layout->flipped_triangles, 0);
+  EXPECT_GT(*wide.certificate.layout->float32_vanishing_triangles, 0);
+  options.cones = "greedy";
+  ASSERT_TRUE(Parameterize(surface, {options}, {}, &narrow).ok());
+  EXPECT_EQ(*narrow.certificate.layout->float32_vanishing_triangles, 0);
+}
+
+}  // namespace
+}  // namespace cirque
