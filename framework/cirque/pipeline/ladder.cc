@@ -269,7 +269,8 @@ class Climb {
   void Describe(RoadEnd first) {
     Status& status = kept_->status;
     if (!ladder_.made_with.empty()) ladder_.since = Since(first);
-    if (!status.ok() && ladder_.rungs_tried > 0) {
+    const bool failed = !status.ok() && status.code() != StatusCode::kCancelled;
+    if (failed && ladder_.rungs_tried > 0) {
       status = Status(status.code(), fmt::format("{} ({} other roads tried: see the certificate)",
                                                  status.message(), ladder_.rungs_tried));
     }
