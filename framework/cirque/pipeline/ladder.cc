@@ -65,8 +65,9 @@ bool FailedInAngles(const Ended& last) {
   return last.end == RoadEnd::kNotConverged && !FailedInRadii(last);
 }
 
+/// Neither the user nor a rung before set the limit.
 bool MayIterateMore(const Ended& last) {
-  return Asked(last).max_iterations == ParameterizeOptions().max_iterations;
+  return last.road.options.max_iterations == ParameterizeOptions().max_iterations;
 }
 
 /// Whether the cones are the program's to choose.
@@ -185,6 +186,8 @@ constexpr Rung kRungs[] = {
     {"more_iterations", "more iterations for the radii", true, RadiiNeedMore, IterateMore,
      kMoreIterations},
     {"quadratic", "the quadratic objective of the angles", true, NotQuadratic, FitQuadratic, 0},
+    {"quadratic_more_iterations", "the quadratic objective and more iterations for the radii", true,
+     RadiiNeedMore, IterateMore, kMoreIterations},
     {"interior_point", "angles by the interior point", true, DualWanders, FitByInteriorPoint, 0},
     {"move_cones", "moved cones", false, ConesInfeasible, Repair, 1},
     {"widen_cones_1", "moved cones of wider angles", false, ConesInfeasible, Repair, 2},
