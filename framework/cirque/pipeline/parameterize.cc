@@ -150,7 +150,8 @@ Status LayOutFlatMetric(const Triangulation& t, const EdgeLengths& lengths, cons
   flat.on_input = {surface.angles, lengths, {}};
   result->targets = MeasuredTargets(surface);
   const FileVertices file = VerticesInOrder(t.num_vertices);
-  const ParameterizeOptions plain;
+  ParameterizeOptions plain;
+  plain.refine_map = "none";
   const SolveControl control;
   return Conclude(LayOutAndMeasure({surface, file, cut, plain, control}, result), timer,
                   &result->certificate);
