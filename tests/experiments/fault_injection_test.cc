@@ -1,11 +1,15 @@
 // One call of the system fails, wherever in a program it comes: nothing aborts, nothing is lost.
+#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
@@ -40,6 +44,18 @@ class FaultInjection : public ::testing::Test {
   }
 
   bool WasReached() const { return fs::exists(Mark()); }
+
+  /// The whole lines of results.jsonl that tell of a run that went well.
+  std::set<std::string> GoodRecords() const {
+    std::set<std::string> records;
+    if (!fs::exists(folder_.Path("results/results.jsonl"))) return records;
+    std::istringstream stream(folder_.Read("results/results.jsonl"));
+    for (std::string line; std::getline(stream, line);) {
+      const auto record = nlohmann::json::parse(line, nullptr, false);
+      if (record.is_object() && record["outcome"] == "ok") records.insert(line);
+    }
+    return records;
+  }
 
   TemporaryFolder folder_;
 };
@@ -78,24 +94,32 @@ TEST_F(FaultInjection, ASweepLosesNothingAndGoesOnSlow) {
   const std::string config =
       folder_.Write("a.yaml",
                     "question: why\nmeshes:\n  - generator: bumpy_terrain\n    triangles: 100\n"
-                    "    seed: [1, 2, 3]\nmethods:\n  - name: a\n");
+                    "    seed: [1, 2, 3, 4, 5, 6]\nmethods:\n  - name: a\n");
   const std::string command =
       fmt::format("run_experiment --report=false --output={} {}", folder_.Path("results"), config);
+  int faults = 0;
   for (const std::string function : {"write", "fsync", "waitpid", "fork", "malloc"}) {
     int call = 1;
-    for (; call < 2000; call = NextCall(call) + (function == "malloc" ? 97 : 0)) {
+    for (; call < 2000; call = NextCall(call) + (function == "malloc" ? 7 : 0)) {
       fs::remove_all(folder_.Path("results"));
       const ProgramResult failed = Run(function, call, command);
       SCOPED_TRACE(fmt::format("{} {}: {} {}", function, call, failed.exit_status, failed.output));
       if (!WasReached()) break;
+      ++faults;
       EXPECT_TRUE(failed.exit_status >= 0 && failed.exit_status <= 2);
+      const std::set<std::string> kept = GoodRecords();
       const ProgramResult resumed = RunProgram(command);
       EXPECT_EQ(resumed.exit_status, 0) << resumed.output;
+      const std::set<std::string> all = GoodRecords();
+      EXPECT_EQ(all.size(), 6u);
+      EXPECT_TRUE(std::includes(all.begin(), all.end(), kept.begin(), kept.end()));
       const std::string records = folder_.Read("results/results.csv");
-      EXPECT_EQ(std::count(records.begin(), records.end(), '\n'), 4) << records;
+      EXPECT_EQ(std::count(records.begin(), records.end(), '\n'), 7) << records;
     }
     EXPECT_GT(call, 1) << function << " is never called";
   }
+  RecordProperty("faults", faults);
+  EXPECT_GE(faults, 50);
 }
 
 }  // namespace
