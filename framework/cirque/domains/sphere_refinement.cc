@@ -119,18 +119,18 @@ double MeanEnergy(const Triangulation& t, const EdgeLengths& lengths, const Sphe
   return faces.area.dot((q + q.inverse() - 2).matrix()) / faces.area.sum();
 }
 
-/// What both caps took.
-MapRefinementSummary Sum(const MapRefinementSummary& a, const MapRefinementSummary& b) {
-  const auto sum = [](std::optional<int> x, std::optional<int> y) {
-    return x || y ? std::optional<int>(x.value_or(0) + y.value_or(0)) : std::nullopt;
-  };
-  MapRefinementSummary both;
-  both.map_refinement_steps = a.map_refinement_steps + b.map_refinement_steps;
-  both.map_refinement_flagged = sum(a.map_refinement_flagged, b.map_refinement_flagged);
-  both.map_refinement_patches = sum(a.map_refinement_patches, b.map_refinement_patches);
-  both.map_refinement_rounds = sum(a.map_refinement_rounds, b.map_refinement_rounds);
-  both.map_refinement_patch_steps = sum(a.map_refinement_patch_steps, b.map_refinement_patch_steps);
-  return both;
+/// Adds what a cap took.
+void Add(const std::optional<MapRefinementSummary>& cap, MapRefinementSummary* both) {
+  if (!cap) return;
+  both->map_refinement_steps += cap->map_refinement_steps;
+  for (const auto member :
+       {&MapRefinementSummary::map_refinement_flagged,
+        &MapRefinementSummary::map_refinement_patches, &MapRefinementSummary::map_refinement_rounds,
+        &MapRefinementSummary::map_refinement_patch_steps}) {
+    const std::optional<int>& part = (*cap).*member;
+    std::optional<int>& sum = both->*member;
+    if (part) sum = sum.value_or(0) + *part;
+  }
 }
 
 }  // namespace
@@ -143,8 +143,9 @@ Status RefineOnSphere(const Triangulation& t, const EdgeLengths& lengths, const 
   if (Status s = refiner.RefineCap(false, refine_map, cancelled, &centre); !s.ok()) return s;
   if (Status s = refiner.RefineCap(true, refine_map, cancelled, &infinity); !s.ok()) return s;
   PlaneWithPole refined = refiner.Plane();
-  MapRefinementSummary both =
-      Sum(centre.value_or(MapRefinementSummary()), infinity.value_or(MapRefinementSummary()));
+  MapRefinementSummary both;
+  Add(centre, &both);
+  Add(infinity, &both);
   both.map_refinement_before = both.map_refinement_after = MeanEnergy(t, lengths, chart, *plane);
   const double energy = MeanEnergy(t, lengths, chart, refined);
   if (energy < both.map_refinement_before) {
