@@ -6,7 +6,8 @@ from tables.records import plt, quantiles, shown, table
 
 OUTPUT = "qp_vs_nonlinear"
 OBJECTIVES = ["quadratic", "weighted_quadratic", "barrier", "entropy", "least_squares"]
-GROUPS = {"raw": "on the connectivity of the files", "delaunay": "on intrinsic Delaunay connectivity"}
+GROUPS = {"raw": "on the connectivity of the files", "delaunay": "on intrinsic Delaunay connectivity",
+          "refined": "on intrinsic Delaunay connectivity with the map refined"}
 LEAST = 1e-5  # an excess below is no distortion: ratios of such say nothing
 MEASURES = [
     ("quasi_conformal_mean", "Mean quasi-conformal distortion", "{:.4f}"),
@@ -100,7 +101,7 @@ def tables(runs):
 
 
 def draw(runs, path):
-    figure, axes = plt.subplots(1, 2, figsize=(7.6, 3.6))
+    figure, axes = plt.subplots(1, len(GROUPS), figsize=(3.8 * len(GROUPS), 3.6))
     for axis, (group, where) in zip(axes, GROUPS.items()):
         everything = [LEAST]
         for colour, marker, objective in zip(records.COLOURS, "os^D", OBJECTIVES[1:]):
@@ -110,6 +111,6 @@ def draw(runs, path):
                 axis.plot(*zip(*points), marker, color=colour, markersize=4, label=objective)
         ends = [min(everything), max(everything)]
         axis.plot(ends, ends, color="#888888", linewidth=0.8)
-        axis.set(xscale="log", yscale="log", title=where, xlabel="mean qc - 1, quadratic", ylabel="mean qc - 1")
+        axis.set(xscale="log", yscale="log", title=where.replace(" with ", "\nwith "), xlabel="mean qc - 1, quadratic", ylabel="mean qc - 1")
         axis.legend()
     records.save(figure, path)

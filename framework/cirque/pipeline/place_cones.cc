@@ -19,6 +19,7 @@ constexpr int kMostMovedOneByOne = 96, kMostMoves = 256, kMostSweeps = 30;
 /// Of a torus: it gets cones where its area would else range over more than e^4 and over a fifth
 /// less with them (README, Cones).
 constexpr int kConesOfTorus = 8;
+constexpr Index kLeastVerticesOfTorus = 16 * kConesOfTorus;  ///< cones need triangles around them
 constexpr double kTorusRange = 4, kTorusShare = 0.8;
 
 /// `count` cones moved to where the predicted angle distortion is least.
@@ -48,6 +49,8 @@ double PredictedAreaRange(const ConeProblem& problem, const std::vector<Cone>& c
 
 /// None, or kConesOfTorus where they lower the range of areas by much.
 StatusOr<std::vector<Cone>> ConesOfTorus(const ConeProblem& problem) {
+  const Index vertices = problem.source().surface->triangulation.num_vertices;
+  if (vertices < kLeastVerticesOfTorus) return std::vector<Cone>();
   const double range = PredictedAreaRange(problem, {});
   if (!(range > kTorusRange)) return std::vector<Cone>();
   const StatusOr<std::vector<Cone>> cones = MovedCones(problem, kConesOfTorus);
