@@ -1,6 +1,7 @@
 #include "cirque/pipeline/finish_layout.h"
 
 #include <cmath>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -104,6 +105,21 @@ TEST(RefineLayout, KeepsAPrescribedBoundary) {
     }
     EXPECT_TRUE(moved);
   }
+}
+
+TEST(RefineLayout, NeedlesOfRatioAMillionAmongOthersComeBack) {
+  // The search must go down to steps of 1 / ratio^2.
+  const std::optional<SharedSurface> letters = ReadSharedSurface("cgal-mpi_triang");
+  if (!letters) GTEST_SKIP() << "no such mesh here";
+  ParameterizeOptions options;
+  options.angle_objective = "entropy";
+  options.refine_map = "none";
+  const Parameterization plain = MapOf(letters->surface, options);
+  options.refine_map = "auto";
+  const Parameterization refined = MapOf(letters->surface, options);
+  EXPECT_GT(plain.certificate.distortion->quasi_conformal_max, 1e4);
+  EXPECT_LT(refined.certificate.distortion->quasi_conformal_max, 1e3);
+  EXPECT_LT(Distortion(refined), 0.6 * Distortion(plain));
 }
 
 TEST(RefineLayout, TheDefaultTellsOfItsPatches) {

@@ -15,9 +15,11 @@ namespace {
 constexpr int kSeamRounds = 12;          ///< the most; two or three take all digits off most gaps
 constexpr double kSeamDecrease = 0.25;   ///< of the violation squared, that a round must bring
 constexpr double kSeamTolerance = 4e-9;  ///< of a seam edge: how much its two sides may differ
-constexpr double kShortestStep = 1e-5;   ///< of a line search
+constexpr double kShortestStep = 1e-10;  ///< of a line search; a face of ratio q asks for 1 / q^2
 constexpr double kSufficient = 1e-4;     ///< share of the predicted decrease that a step must bring
-constexpr double kShift = 1e-14;         ///< of the diagonal, a hundredfold where it does not do
+/// Of the diagonal, a hundredfold where it does not do. With less, rounding decides how far
+/// near-conformal modes move; with more, long limbs stay as they are.
+constexpr double kShift = 1e-11;
 constexpr double kLargestShift = 1e-8;
 
 class Stepper {

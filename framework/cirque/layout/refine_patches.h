@@ -22,7 +22,7 @@ struct RefinePatchesOptions {
   int patch_steps = 30;          ///< in a patch and a round, the most
   double patch_decrease = 0.01;  ///< share of its energy that a step in a patch must bring
   double mean = 0.01;      ///< E above which the whole map is refined too; twice that if large
-  int steps = 20;          ///< on the whole map, the most
+  int steps = 30;          ///< on the whole map, the most
   double decrease = 0.01;  ///< share of E that such a step must bring; five times that if large
 };
 
