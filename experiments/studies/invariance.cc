@@ -81,7 +81,7 @@ Disguise Disguised(const PolygonSoup& soup, unsigned seed) {
 
 struct Mapped {
   Uv uv;                         ///< in the order of the soup's corners
-  bool cones_for_range = false;  ///< whether it was made again, with cones, to be accurate
+  std::string made_with;  ///< the rung of the ladder that it was made on; empty: as asked
 };
 
 /// The map of the surface; the outcome where there is none.
@@ -93,8 +93,7 @@ StatusOr<Mapped> Map(const PolygonSoup& soup) {
   if (!map.ok()) return map.status();
   Mapped mapped;
   for (const Eigen::Vector2d& point : map->uv.value) mapped.uv.emplace_back(point.x(), point.y());
-  const auto& repair = map->certificate.cone_repair;
-  mapped.cones_for_range = repair && repair->cones_for_range > 0;
+  if (map->certificate.ladder) mapped.made_with = map->certificate.ladder->made_with;
   return mapped;
 }
 
@@ -140,7 +139,7 @@ Outcome Compare(unsigned seed) {
   for (std::size_t i = 0; i < matched.size(); ++i) matched[disguise.corner[i]] = other->uv[i];
   const double distance = Distance(map->uv, matched);
   if (distance <= FLAGS_allowed) return {"equal", distance};
-  const bool same_kind = map->cones_for_range == other->cones_for_range;
+  const bool same_kind = map->made_with == other->made_with;
   return {same_kind ? "differs" : "one with cones", distance};
 }
 

@@ -94,15 +94,16 @@ bool DoubleBudget(std::size_t cones, ParameterizeOptions* options) {
 StatusOr<std::vector<Cone>> ChooseWithAngles(const ConeProblem& problem,
                                              ParameterizeOptions options,
                                              const ConeAngleOptions& angles) {
-  StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
+  const StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
   if (!cones.ok()) return cones;
+  std::size_t count = cones->size();
   StatusOr<std::vector<Cone>> with_angles = ApplyConeAngles(problem, *cones, angles);
-  while (!with_angles.ok() && cones->size() < problem.candidates().size()) {
-    if (!DoubleBudget(cones->size(), &options)) break;
-    StatusOr<std::vector<Cone>> more = ChooseCones(problem, options);
-    if (!more.ok() || more->size() <= cones->size()) break;
-    cones = std::move(more);
-    with_angles = ApplyConeAngles(problem, *cones, angles);
+  while (!with_angles.ok() && count < problem.candidates().size()) {
+    if (!DoubleBudget(count, &options)) break;
+    const StatusOr<std::vector<Cone>> more = ChooseCones(problem, options);
+    if (!more.ok() || more->size() <= count) break;
+    count = more->size();
+    with_angles = ApplyConeAngles(problem, *more, angles);
   }
   return with_angles;
 }
