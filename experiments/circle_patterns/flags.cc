@@ -4,6 +4,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -135,14 +136,16 @@ CirclePatternsFlags::CirclePatternsFlags() {
 /// Kept as texts: which vertices they name turns out when the mesh is there.
 void CirclePatternsFlags::AddShapeFlags() {
   for (const Option<DomainOptions>& option : DomainOptionTable().options()) {
-    OptionInfo as_flag = option.info();
-    const bool is_vertex = as_flag.unit == kVertexUnit;
-    if (is_vertex) as_flag.default_text.clear();
-    const OptionInfo in_help = as_flag;
-    as_flag.name = "--" + as_flag.name;
-    line_.Add({in_help, [this, as_flag, is_vertex, name = in_help.name](const std::string& text) {
-                 job_.domain.shape[name] = text;
-                 return is_vertex ? Status() : ParseValue(as_flag, text).status();
+    const OptionInfo& info = option.info();
+    const bool is_vertex = info.unit == kVertexUnit;
+    OptionInfo in_help = info;
+    if (is_vertex) in_help.default_text.clear();
+    line_.Add({std::move(in_help), [this, &info, is_vertex](const std::string& text) {
+                 job_.domain.shape[info.name] = text;
+                 if (is_vertex) return Status();
+                 OptionInfo as_flag = info;
+                 as_flag.name = "--" + as_flag.name;
+                 return ParseValue(as_flag, text).status();
                }});
   }
 }

@@ -24,18 +24,20 @@ class CommandLine {
     bool value_optional = false;  ///< whether it is "-" when it is given without "=VALUE"
   };
 
-  /// A flag for each option of the table, which sets it in `target`.
+  /// A flag for each option of the table, which sets it in `target`. @pre both outlive this.
   template <class T>
   void Add(const OptionTable<T>& table, T* target) {
     for (const Option<T>& option : table.options()) {
-      OptionInfo as_flag = option.info();
-      as_flag.name = "--" + as_flag.name;
-      Add({option.info(), [option, as_flag, target](const std::string& text) {
+      Add({option.info(), [&option, target](const std::string& text) {
+             OptionInfo as_flag = option.info();
+             as_flag.name = "--" + as_flag.name;
              const StatusOr<OptionValue> value = ParseValue(as_flag, text);
              return value.ok() ? option.Set(text, target) : value.status();
            }});
     }
   }
+  template <class T>
+  void Add(OptionTable<T>&& table, T* target) = delete;
 
   void Add(Flag flag) { flags_.push_back(std::move(flag)); }
 

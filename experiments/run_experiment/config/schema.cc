@@ -236,9 +236,9 @@ std::string Range(const SchemaField& field) {
 
 std::string SchemaField::Key() const { return path.substr(path.rfind('.') + 1); }
 
-std::string SchemaField::Parent() const {
+std::string_view SchemaField::Parent() const {
   const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos ? "" : path.substr(0, dot);
+  return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
 const Schema& ConfigSchema() {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <yaml-cpp/yaml.h>
@@ -35,8 +36,8 @@ struct SchemaField {
   std::vector<std::string> beside = {};  ///< may only stand beside one of these keys
   std::string brings = {};               ///< asks for this key beside it
 
-  std::string Key() const;     ///< the last part of the path
-  std::string Parent() const;  ///< the path without it
+  std::string Key() const;          ///< the last part of the path
+  std::string_view Parent() const;  ///< the path without it
 };
 
 using Schema = std::vector<SchemaField>;

@@ -194,9 +194,10 @@ class Renamer {
 
   void RenameIn(const YAML::Node& map, const std::string& path) {
     if (!map.IsMap()) return;
+    const std::vector<const SchemaField*> fields = FieldsOf(schema_, path);
     for (const auto& pair : map) {
       YAML::Node key = pair.first;
-      for (const SchemaField* field : FieldsOf(schema_, path)) {
+      for (const SchemaField* field : fields) {
         if (Contains(field->former, key.Scalar())) Rename(field->Key(), &key);
         if (field->Key() != key.Scalar()) continue;
         for (const YAML::Node& value : ItemsOf(pair.second)) RenameValue(value, *field);

@@ -13,8 +13,7 @@
 namespace cirque {
 namespace {
 
-/// The table of columns. `values` holds what certificates measure, by their names.
-std::vector<Column> FixedColumns() {
+std::vector<Column> MakeFixedColumns() {
   std::vector<Column> columns = {
       {"key", "/key", "", ""},
       {"mesh", "/mesh/name", "mesh", ""},
@@ -63,6 +62,12 @@ std::vector<Column> FixedColumns() {
   };
   columns.insert(columns.end(), rest.begin(), rest.end());
   return columns;
+}
+
+/// The table of columns. `values` holds what certificates measure, by their names.
+const std::vector<Column>& FixedColumns() {
+  static const std::vector<Column> kColumns = MakeFixedColumns();
+  return kColumns;
 }
 
 nlohmann::json ValueAt(const Record& record, const Column& column) {

@@ -41,7 +41,7 @@ StatusOr<MeasureFile> ParseMeasureFile(const std::string& word) {
         "'{}' as a file of measures: name it .csv (per face), .json (figures) or .ply (colours)",
         word));
   }
-  const std::vector<std::string> known = MeasuresWithFaceValues();
+  static const std::vector<std::string> known = MeasuresWithFaceValues();
   if (std::find(known.begin(), known.end(), file.colour_by) == known.end()) {
     return Status::InvalidInput(
         UnknownName("distortion measure with face values", file.colour_by, known));
