@@ -27,8 +27,13 @@ class ThreadLimit {
 /// The number of threads that the loops may use now.
 int NumThreads();
 
-/// How many elements of a loop one task takes.
-constexpr int kParallelBlock = 8192;  ///< a few hundred microseconds of edge functions
+/// How many elements of a loop one task takes: a few hundred microseconds of edge functions. Few
+/// under the thread sanitizer, so that the tests' small meshes are shared between threads too.
+#ifdef __SANITIZE_THREAD__
+constexpr int kParallelBlock = 128;
+#else
+constexpr int kParallelBlock = 8192;
+#endif
 
 /// Calls body(block, begin, end) for consecutive blocks of [0, n), at once where threads allow.
 /// body must not throw and must write to what belongs to its block alone.

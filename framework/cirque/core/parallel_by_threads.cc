@@ -1,7 +1,6 @@
 // core/parallel.h by plain threads instead of oneTBB: for the thread sanitizer, which sees what
 // std::thread orders but not what a scheduler does that was built without it.
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -55,13 +54,14 @@ ThreadLimit::~ThreadLimit() = default;
 int NumThreads() { return LimitsOfProcess().Smallest(); }
 
 void ParallelTasks(int n, const std::function<void(int)>& body) {
-  std::atomic<int> next = 0;
-  const auto work = [&] {
-    for (int i = next++; i < n; i = next++) body(i);
+  const int threads = std::min(n, NumThreads());
+  // Dealt out rather than taken, or the caller would have done short loops before others begin.
+  const auto work = [&](int first) {
+    for (int i = first; i < n; i += threads) body(i);
   };
   std::vector<std::jthread> others;
-  for (int i = 1; i < std::min(n, NumThreads()); ++i) others.emplace_back(work);
-  work();
+  for (int first = 1; first < threads; ++first) others.emplace_back(work, first);
+  work(0);
 }
 
 void ForEachBlock(int n, const std::function<void(int block, int begin, int end)>& body) {
