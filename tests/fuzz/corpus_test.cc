@@ -43,6 +43,24 @@ TEST(FuzzCorpus, SeedsAndFoundInputsKeepEveryPromise) {
   }
 }
 
+/// Whether some file of the project has a path that begins so.
+bool SomeFileBegins(const std::string& beginning) {
+  const fs::path start = ProjectPath(beginning);
+  const auto files = fs::directory_iterator(start.parent_path());
+  return std::any_of(begin(files), end(files), [&](const fs::directory_entry& file) {
+    return file.path().string().starts_with(start.string());
+  });
+}
+
+TEST(FuzzCorpus, EveryTargetNamesTheSourcesItIsFor) {
+  for (const FuzzTarget& target : FuzzTargets()) {
+    EXPECT_FALSE(target.sources.empty()) << target.name;
+    for (const std::string& beginning : target.sources) {
+      EXPECT_TRUE(SomeFileBegins(beginning)) << target.name << ": " << beginning;
+    }
+  }
+}
+
 TEST(FuzzCorpus, EveryFolderBelongsToATarget) {
   std::set<std::string> names;
   for (const FuzzTarget& target : FuzzTargets()) {

@@ -60,6 +60,7 @@ void RunRecords(std::string_view bytes) {
     IsSettled(*record);
     records.push_back(*std::move(record));
   }
+  if (records.empty()) return;
   CHECK(!ToCsv(records).empty());
   CHECK(!ToTable(records).empty());
 }
@@ -123,10 +124,18 @@ std::vector<FuzzTarget> ExperimentTargets() {
                                          "\n",
                                          "~",
                                          "/"};
-  return {
-      {"config", RunConfig, ConfigWords(), {kConfig}},
-      {"records", RunRecords, json, {record + "\n" + record + "\n{\"key\": \"torn"}},
-      {"packed_run", RunPackedRun, {"\x5f", "\x9f", "\xbf", "\xff", "\xfb"}, {PackRun(SomeRun())}}};
+  const std::string folder = "experiments/run_experiment/";
+  return {{"config", RunConfig, ConfigWords(), {kConfig}, {folder + "config/"}},
+          {"records",
+           RunRecords,
+           json,
+           {record + "\n" + record + "\n{\"key\": \"torn"},
+           {folder + "results/record", folder + "results/columns", "experiments/common/records"}},
+          {"packed_run",
+           RunPackedRun,
+           {"\x5f", "\x9f", "\xbf", "\xff", "\xfb"},
+           {PackRun(SomeRun())},
+           {folder + "run/ready_run_bytes"}}};
 }
 
 }  // namespace cirque::testing

@@ -17,6 +17,8 @@ struct FuzzTarget {
   std::function<void(std::string_view bytes)> run;
   std::vector<std::string> words = {};  ///< what the format gives a meaning to: the dictionary
   std::vector<std::string> seeds = {};  ///< valid inputs, small: where fuzzing starts
+  /// The parser's sources, as beginnings of paths in the project: what its coverage is counted over.
+  std::vector<std::string> sources = {};
 };
 
 /// The targets of each program; a format or a table of options is one by being registered.

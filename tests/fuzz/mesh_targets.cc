@@ -236,9 +236,11 @@ std::vector<FuzzTarget> MeshTargets() {
   for (const std::string& extension : ReadableExtensions()) {
     const auto known = words.find(extension);
     targets.push_back(
-        {extension, [path = "a." + extension](std::string_view bytes) { RunMesh(path, bytes); },
+        {extension,
+         [path = "a." + extension](std::string_view bytes) { RunMesh(path, bytes); },
          WithNumbers(known == words.end() ? std::vector<std::string>() : known->second),
-         SeedsOf(extension)});
+         SeedsOf(extension),
+         {"framework/cirque/io/" + extension}});
   }
   targets.push_back(
       {"con",
@@ -246,7 +248,8 @@ std::vector<FuzzTarget> MeshTargets() {
        WithNumbers({"f ", "\n", "3 1\n", "1 2 3 1 1 1 0 0 0\n"}),
        {"3 1\nf 1 2 3 1 1 1 0 0 0\n", "4 2\nf 1 2 3 1 1 1 0 6 0\nf 2 1 4 1 1 1 0 0 2\n",
         "4\n4\n1 2 3 1 1 1\n1 3 4 1 1 1\n1 4 2 1 1 1\n2 4 3 1 1 1\n",
-        "1 2\nf 1 1 1 1 1 1 4 5 6\nf 1 1 1 1 1 1 1 2 3\n"}});
+        "1 2\nf 1 1 1 1 1 1 4 5 6\nf 1 1 1 1 1 1 1 2 3\n"},
+       {"framework/cirque/io/con_"}});
   return targets;
 }
 

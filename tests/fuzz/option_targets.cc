@@ -144,21 +144,27 @@ std::vector<std::string> Words() {
 }  // namespace
 
 std::vector<FuzzTarget> OptionTargets() {
-  return {
-      {"name_with_options",
-       RunNameWithOptions,
-       Words(),
-       {"greedy:target=0.1,cones=4", "ranges:width=0.5", "mips:steps=5", "a.csv,b.ply:area"}},
-      {"options",
-       RunOptions,
-       Words(),
-       {"cones=greedy\nepsilon=0.01\nmax_iterations=7\n", "corners=1,2,3,4\nsides=5\n"}},
-      {"flags",
-       RunFlags,
-       Words(),
-       {"-io=a.obj\n-oo=b.obj\n", "-io\na.obj\n--domain=disk\n--centre=3\n--nohelp\n",
-        "-ic=a.con\n-no\n-oc=b.con\n"}},
-      {"vertex_lists", RunVertexLists, {"-", ",", "1", "5", "99999999999"}, {"2-4,3-5", "2,3"}}};
+  return {{"name_with_options",
+           RunNameWithOptions,
+           Words(),
+           {"greedy:target=0.1,cones=4", "ranges:width=0.5", "mips:steps=5", "a.csv,b.ply:area"},
+           {"framework/cirque/core/option.cc", "framework/cirque/cones/registry.cc"}},
+          {"options",
+           RunOptions,
+           Words(),
+           {"cones=greedy\nepsilon=0.01\nmax_iterations=7\n", "corners=1,2,3,4\nsides=5\n"},
+           {"framework/cirque/core/option"}},
+          {"flags",
+           RunFlags,
+           Words(),
+           {"-io=a.obj\n-oo=b.obj\n", "-io\na.obj\n--domain=disk\n--centre=3\n--nohelp\n",
+            "-ic=a.con\n-no\n-oc=b.con\n"},
+           {"experiments/circle_patterns/flags", "experiments/common/flag_parsing"}},
+          {"vertex_lists",
+           RunVertexLists,
+           {"-", ",", "1", "5", "99999999999"},
+           {"2-4,3-5", "2,3"},
+           {"experiments/circle_patterns/request"}}};
 }
 
 }  // namespace cirque::testing

@@ -86,10 +86,12 @@ void RunEdgeCosts(std::string_view bytes) {
 std::vector<FuzzTarget> SideFileTargets() {
   const std::vector<std::string> words = {"#",   "\n",  "\r\n", " ",     "1.5",    "-0",
                                           "nan", "inf", "1e-9", "1e400", "1.#INF", "+2"};
-  return {{"cones", RunCones, words, {"1 2\n", "# a cone\n1 1.5 2.5\n2 0 1\n3 .5\n"}},
-          {"angle_sums", RunAngleSums, words, {"6.28\n1.57\n1.57\n1.57\n1.57\n0\n"}},
-          {"cuts", RunCuts, words, {"1 2 1\n1 4 2\n", "3 1 1 # there and back\n"}},
-          {"edge_costs", RunEdgeCosts, words, {"1 2 0.5\n2 3 1e9\n"}}};
+  const std::vector<std::string> cone_files = {"framework/cirque/io/cone_file"};
+  const std::vector<std::string> edge_files = {"framework/cirque/cuts/edge_files"};
+  return {{"cones", RunCones, words, {"1 2\n", "# a cone\n1 1.5 2.5\n2 0 1\n3 .5\n"}, cone_files},
+          {"angle_sums", RunAngleSums, words, {"6.28\n1.57\n1.57\n1.57\n1.57\n0\n"}, cone_files},
+          {"cuts", RunCuts, words, {"1 2 1\n1 4 2\n", "3 1 1 # there and back\n"}, edge_files},
+          {"edge_costs", RunEdgeCosts, words, {"1 2 0.5\n2 3 1e9\n"}, edge_files}};
 }
 
 }  // namespace cirque::testing

@@ -219,13 +219,25 @@ std::vector<FuzzTarget> VerifierTargets() {
                                          "-1e-320",
                                          "4294967296",
                                          "1e999"};
-  return {{"verify_map", RunVerifyMap, obj, MapSeeds()},
+  const auto of = [](std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "framework/cirque/verify/");
+    return names;
+  };
+  return {{"verify_map", RunVerifyMap, obj, MapSeeds(),
+           of({"angle_check", "boundary_sweep", "correspondence", "disk_check", "findings",
+               "judged_mesh", "map_check", "mesh_match", "nearest_point", "overlap_check",
+               "polygon_check", "report_", "seam_check", "sphere_", "topology", "uv_"})},
           {"certificate",
            RunCertificate,
            json,
            {CertificateSeed("0, 0, 0, 0, 0, 0", ""), CertificateSeed("1, 2, -3, 4e-300", ""),
-            CertificateSeed("1, 1, 1, 1", "\"removed_vertex\": 3, ")}},
-          {"targets", RunTargets, {"free", "\n", "nan", "inf", "1e400"}, {"1\nfree\n6.25\n"}}};
+            CertificateSeed("1, 1, 1, 1", "\"removed_vertex\": 3, ")},
+           of({"certificate_file", "infeasibility_", "removed_vertex"})},
+          {"targets",
+           RunTargets,
+           {"free", "\n", "nan", "inf", "1e400"},
+           {"1\nfree\n6.25\n"},
+           of({"angle_targets"})}};
 }
 
 }  // namespace cirque::testing

@@ -1,6 +1,7 @@
 // Makes a libFuzzer program of a table of targets, the function CIRQUE_FUZZ_TARGETS:
 //   PROGRAM --target=NAME [flags of libFuzzer] [CORPUS ...]
 //   PROGRAM --list             the names of its targets
+//   PROGRAM --sources=NAME     where that target's parser stands, a beginning of paths a line
 //   PROGRAM --prepare=FOLDER   writes the dictionaries FOLDER/NAME.dict, the seeds FOLDER/NAME/
 #include <cstddef>
 #include <cstdint>
@@ -72,8 +73,14 @@ void Choose(std::string_view name) {
 }
 
 void Read(std::string_view argument) {
-  constexpr std::string_view kTarget = "--target=", kPrepare = "--prepare=";
+  constexpr std::string_view kTarget = "--target=", kPrepare = "--prepare=",
+                             kSources = "--sources=";
   if (argument.starts_with(kTarget)) return Choose(argument.substr(kTarget.size()));
+  if (argument.starts_with(kSources)) {
+    Choose(argument.substr(kSources.size()));
+    for (const std::string& beginning : Chosen()->sources) fmt::print("{}\n", beginning);
+    std::exit(0);
+  }
   if (argument == "--list") {
     for (const FuzzTarget& target : Targets()) fmt::print("{}\n", target.name);
     std::exit(0);
