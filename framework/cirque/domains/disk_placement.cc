@@ -57,8 +57,7 @@ bool PutsMassAtCentre(const DomainOptions& options) {
 
 DiskPlacement::DiskPlacement(const Surface& surface, const IntrinsicSurface& intrinsic,
                              const DomainOptions& domain, const SolveControl& control)
-    : surface_(surface),
-      t_(surface.triangulation),
+    : t_(surface.triangulation),
       domain_(domain),
       control_(control),
       on_boundary_(intrinsic.boundary),

@@ -52,7 +52,6 @@ class DiskPlacement {
   std::vector<Index> Finish();
   std::vector<Index> AllFaces() const;
 
-  const Surface& surface_;
   const Triangulation& t_;
   const DomainOptions& domain_;
   const SolveControl& control_;
