@@ -193,8 +193,11 @@ void PatchRefiner::RefineOnce(const PatchSet& set) {
 
 void PatchRefiner::RefineWhole() {
   const bool large = t_.num_faces() > kLargeMap;
-  if (cancelled() || !(mean_ > (large ? 2 : 1) * options_.mean)) return;
-  const StepLimits limits = {options_.steps, (large ? 5 : 1) * options_.decrease};
+  const bool bad = mean_ > (large ? 2 : 1) * options_.mean;
+  const bool once = !large && mean_ > options_.once;
+  if (cancelled() || !(bad || once)) return;
+  const int steps = bad ? options_.steps : std::min(1, options_.steps);
+  const StepLimits limits = {steps, (large ? 5 : 1) * options_.decrease};
   result_.steps = LowerObjective(map_.Whole(), objective_, limits, cancelled_, &map_.z());
   Measure();
 }
@@ -217,6 +220,8 @@ const OptionTable<RefinePatchesOptions>& RefinePatchesOptionTable() {
        Option<O>("patch_decrease", &O::patch_decrease, "share of a patch's energy to go on for")
            .Between(0, 1),
        Option<O>("mean", &O::mean, "mean energy above which the whole map is refined")
+           .Between(0, 1e300),
+       Option<O>("once", &O::once, "mean energy above which that is one step at least")
            .Between(0, 1e300),
        Option<O>("steps", &O::steps, "the most steps on the whole map").Between(0, 1e6),
        Option<O>("decrease", &O::decrease, "share of the mean to go on for there").Between(0, 1)});

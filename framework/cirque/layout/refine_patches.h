@@ -22,6 +22,7 @@ struct RefinePatchesOptions {
   int patch_steps = 30;          ///< in a patch and a round, the most
   double patch_decrease = 0.01;  ///< share of its energy that a step in a patch must bring
   double mean = 0.01;      ///< E above which the whole map is refined too; twice that if large
+  double once = 5e-4;      ///< E above which that is at least one step, unless the map is large
   int steps = 30;          ///< on the whole map, the most
   double decrease = 0.01;  ///< share of E that such a step must bring; five times that if large
 };
@@ -41,7 +42,8 @@ struct PatchRefinement : MapRefinement {
 /// bounds make most of the distortion of a bad map, and moving the vertices around them mends it:
 /// outliers are grown by rings of neighbours to patches, whose vertices move while all others stay,
 /// in parallel; the next round has wider ones around what is still an outlier. The whole map is
-/// refined where the mean remains above its limit, and at once where distortion is no matter of a
+/// refined where the mean remains above its limit, by one step already where it is above a small one,
+/// which takes a tenth or two off a good map's distortion, and at once where distortion is no matter of a
 /// few triangles: patches would hold too many vertices, E by area alone is above 5, or the outliers
 /// make less than half of E and the rest is above 0.03.
 ///
