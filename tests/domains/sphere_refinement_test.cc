@@ -72,7 +72,7 @@ TEST_F(SphereRefinementTest, BringsBackVerticesOfBothHemispheres) {
   const PlaneWithPole before = plane;
   ASSERT_TRUE(FlippedSphericalFaces(t_, LiftAll(before, {})).empty());
   std::optional<MapRefinementSummary> summary;
-  ASSERT_TRUE(RefineOnSphere(t_, lengths_, {}, "auto", nullptr, &plane, &summary).ok());
+  ASSERT_TRUE(RefineOnSphere(t_, lengths_, {}, "auto:once=1", nullptr, &plane, &summary).ok());
   ASSERT_TRUE(summary);
   EXPECT_GT(summary->map_refinement_before, 1e-3);
   EXPECT_LT(summary->map_refinement_after, 1e-2 * summary->map_refinement_before);

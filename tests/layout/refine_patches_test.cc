@@ -130,8 +130,21 @@ TEST(RefineByPatches, RefinesTheWholeMapWhereTheMeanAsksForIt) {
   EXPECT_GE(done.steps, 1);
   EXPECT_LT(done.after, 1e-3);
   uv = stretched;
-  EXPECT_EQ(Refine(Metric(strip).surface, &uv, {.mean = 0.6}).steps, 0);
+  EXPECT_EQ(Refine(Metric(strip).surface, &uv, {.mean = 0.6, .once = 0.6}).steps, 0);
   EXPECT_EQ(uv.value, stretched.value);
+}
+
+TEST(RefineByPatches, AGoodMapGetsOneStepAsAWhole) {
+  const Surface terrain = GeneratedSurface("bumpy_terrain", 2000);
+  const Metric metric(terrain);
+  for (const double once : {0.01, 1e9}) {
+    CornerUv uv = FromAbove(terrain);
+    const PatchRefinement done =
+        Refine(metric.surface, &uv, {.rounds = 0, .mean = 1e9, .once = once});
+    EXPECT_GT(done.before, 0.01);
+    EXPECT_EQ(done.steps, once < 1 ? 1 : 0);
+    EXPECT_LE(done.after, once < 1 ? 0.5 * done.before : done.before);
+  }
 }
 
 TEST(RefineByPatches, TooManyVerticesInPatchesAreRefinedAsOneMap) {
@@ -150,9 +163,14 @@ TEST(RefineByPatches, WiderPatchesFollowWhereOutliersRemain) {
   double before = 0;
   for (const int rounds : {0, 1, 2, 3}) {
     CornerUv uv = FromAbove(terrain);
-    const PatchRefinement done = Refine(
-        metric.surface, &uv,
-        {.flag = 0, .medians = 8, .share = 1, .rounds = rounds, .round_decrease = 0, .mean = 1e9});
+    const PatchRefinement done = Refine(metric.surface, &uv,
+                                        {.flag = 0,
+                                         .medians = 8,
+                                         .share = 1,
+                                         .rounds = rounds,
+                                         .round_decrease = 0,
+                                         .mean = 1e9,
+                                         .once = 1e9});
     EXPECT_LE(done.rounds, rounds);
     if (rounds == 0) {
       EXPECT_EQ(done.after, done.before);
@@ -184,7 +202,8 @@ TEST(RefineByPatches, SeamsStayCongruent) {
     CornerUv uv = map.uv;
     const auto done = RefineByPatches(
         {Metric(surface).surface, map.cut, before.seams},
-        {.flag = 0, .medians = 4, .share = 1, .round_decrease = 0, .mean = 1e9}, nullptr, &uv);
+        {.flag = 0, .medians = 4, .share = 1, .round_decrease = 0, .mean = 1e9, .once = 1e9},
+        nullptr, &uv);
     ASSERT_TRUE(done.ok());
     EXPECT_GE(done->patches, 2);
     EXPECT_LT(done->after, done->before);
