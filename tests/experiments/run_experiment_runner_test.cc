@@ -388,11 +388,11 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
 TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
   const std::vector<std::pair<std::string, std::string ParameterizeOptions::*>> kinds = {
       {"", &ParameterizeOptions::edge_costs}, {"given:file=", &ParameterizeOptions::cones}};
-  for (const auto& [before, member] : kinds) {
-    SCOPED_TRACE(before);
+  for (const auto& kind : kinds) {
+    SCOPED_TRACE(kind.first);
     const auto content = [&](const std::string& path) {
       MethodSpec method = config_.runs[0].method;
-      method.options.*member = before + path;
+      method.options.*kind.second = kind.first + path;
       return MethodByContent(method);
     };
     const std::string file = folder_.Write("a.txt", "1 2 0.5\n");
