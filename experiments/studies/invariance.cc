@@ -80,7 +80,7 @@ Disguise Disguised(const PolygonSoup& soup, unsigned seed) {
 }
 
 struct Mapped {
-  Uv uv;                         ///< in the order of the soup's corners
+  Uv uv;                  ///< in the order of the soup's corners
   std::string made_with;  ///< the rung of the ladder that it was made on; empty: as asked
 };
 
