@@ -49,8 +49,8 @@ Eigen::VectorXd DistanceFromCones(const ConeProblem& problem, const ConeFit& fit
 /// with most corners first, while admissible ones cannot add up. False when none is left to take.
 bool FitAdmissible(const ConeProblem& problem, ConeChoice* choice, ConeFit* fit);
 
-/// At most `count` cones, or as many as Gauss-Bonnet needs, with the admissible curvatures of least distortion, each chosen where
-/// a little curvature lowers the distortion of those before it most, among the vertices that are
+/// At most `count` cones, or as many as Gauss-Bonnet needs, with the admissible curvatures of least
+/// distortion, each chosen where a little curvature lowers the distortion of those before it most, among the vertices that are
 /// `allowed` (V). Where these are too few for Gauss-Bonnet, vertices with many corners are added.
 /// Error (invalid input) as of ConeChoice::Make.
 StatusOr<std::vector<Cone>> ChooseByDescent(const ConeProblem& problem,

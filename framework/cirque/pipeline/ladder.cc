@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ struct Ended {
   const Road& road;
   RoadEnd end;
   const Parameterization& map;
+  std::optional<int>* default_cones;  ///< how many DefaultTargets has, once a rung has asked
 };
 
 RoadEnd EndOf(const Status& status, const Certificate& certificate) {
@@ -140,16 +142,17 @@ bool Repair(const Ended& last, int round, Road* road) {
   return true;
 }
 
+int CountDefaultCones(const IntrinsicSurface& surface) {
+  const StatusOr<ConeTargets> targets = DefaultTargets(surface);
+  return targets.ok() ? static_cast<int>(ConesOf(surface.triangulation, *targets).size()) : 0;
+}
+
 /// The road that was asked for, with other cones.
 bool PlaceAnew(const Ended& last, const std::string& heuristic, int factor, Road* road) {
   const Triangulation& t = last.start.surface.triangulation;
-  const bool closed = BoundaryLoops(t).empty();
-  int count = kLeastCones;
-  if (closed) {
-    const StatusOr<ConeTargets> plain = DefaultTargets(last.start.surface);
-    if (plain.ok()) count = std::max(count, static_cast<int>(ConesOf(t, *plain).size()));
-  }
-  count *= factor;
+  std::optional<int>& of_default = *last.default_cones;
+  if (!of_default) of_default = CountDefaultCones(last.start.surface);
+  const int count = factor * std::max(kLeastCones, *of_default);
   if (count > kMostCones || (factor > 1 && count > t.num_vertices / 2)) return false;
   const int max_iterations = road->options.max_iterations;
   *road = last.start.asked;
@@ -242,8 +245,9 @@ class Climb {
   }
 
   void TryRungs() {
+    std::optional<int> default_cones;
     for (const Rung& rung : kRungs) {
-      const Ended last{start_, last_->road, last_->end, last_->map};
+      const Ended last{start_, last_->road, last_->end, last_->map, &default_cones};
       Road next = last_->road;
       if (!rung.applies(last) || !rung.change(last, rung.number, &next)) continue;
       const std::shared_ptr<Taken> taken = Take(next, rung.name);
