@@ -19,7 +19,8 @@ std::unique_ptr<const EnergyInput> MakeInput(int triangles) {
   const Surface& surface = BenchSurface("bumpy_terrain", triangles);
   const Triangulation& t = input->triangulation = surface.triangulation;
   input->targets = FreeBoundaryTargets(t);
-  input->reference = MeasureCornerAngles(t, MeasureEdgeLengths(surface));
+  input->lengths = MeasureEdgeLengths(surface);
+  input->reference = MeasureCornerAngles(t, input->lengths);
   for (const Eigen::Vector3d& p : surface.position) input->points.push_back(p.normalized());
   input->weights.assign(input->points.size(), 1);
   AngleFitResult fit;

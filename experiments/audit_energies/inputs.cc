@@ -29,18 +29,36 @@ Eigen::Vector3d Random::UnitVector() {
   return v.normalized();
 }
 
-EnergyInput DiskInput(unsigned seed) {
-  const StatusOr<PolygonSoup> soup = GenerateMesh("bumpy_terrain", {24, seed});
+namespace {
+
+/// A small generated mesh with its measured angles and lengths.
+EnergyInput GeneratedInput(const std::string& generator, unsigned seed) {
+  const StatusOr<PolygonSoup> soup = GenerateMesh(generator, {24, seed});
   CHECK(soup.ok()) << soup.status().message();
   PreflightReport report;
   const StatusOr<Surface> surface = Preflight(*soup, &report);
   CHECK(surface.ok()) << surface.status().message();
   EnergyInput input;
   input.triangulation = surface->triangulation;
-  const EdgeLengths lengths = MeasureEdgeLengths(*surface);
-  input.reference = MeasureSurface(input.triangulation, lengths).angles;
+  input.lengths = MeasureEdgeLengths(*surface);
+  input.reference = MeasureSurface(input.triangulation, input.lengths).angles;
   input.coherent.value = RoundAngles(input.triangulation, seed);
   input.targets = FreeBoundaryTargets(input.triangulation);
+  return input;
+}
+
+}  // namespace
+
+EnergyInput DiskInput(unsigned seed) { return GeneratedInput("bumpy_terrain", seed); }
+
+EnergyInput SphereInput(unsigned seed) {
+  EnergyInput input = GeneratedInput("sphere", seed);
+  const double each = kPi * input.triangulation.num_faces() / input.triangulation.num_vertices;
+  Random random(seed);
+  Eigen::VectorXd sum = random.Vector(input.triangulation.num_vertices, 0.5 * each);
+  sum.array() += each - sum.mean();
+  input.targets.lower.assign(sum.begin(), sum.end());
+  input.targets.upper = input.targets.lower;
   return input;
 }
 

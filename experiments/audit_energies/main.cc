@@ -1,5 +1,4 @@
 // Audits every registered energy: derivatives, digits, convexity, agreement of its forms, domain.
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,20 +9,23 @@
 
 #include "experiments/audit_energies/audit.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/manual.h"
 #include "experiments/common/program.h"
 
 DEFINE_string(json, "", "write the findings as JSON too; without =FILE, print it instead");
-DECLARE_bool(help);
 
 namespace cirque::audit_energies {
 namespace {
 
 constexpr int kSound = 0, kUnsound = 1, kBadInput = 2;
 
-const char kUsage[] =
-    "Audits every registered energy at usual and at fragile points and prints a table: energy x "
-    "check,\n\"ok\" or the worst figure. Exit status: 0 all is well, 1 a check failed, 2 bad "
-    "input.\n";
+Manual ProgramManual() {
+  return {"audit_energies",
+          "checks every registered energy at usual and at fragile points",
+          {{"[FLAGS]", "a table of energy x check: 'ok' or the worst figure"}},
+          {},
+          {{"0", "all is well"}, {"1", "a check failed"}, {"2", "bad input"}}};
+}
 
 int Complain(const Status& status) {
   fmt::print(stderr, "audit_energies: {}\n", status.message());
@@ -31,20 +33,13 @@ int Complain(const Status& status) {
 }
 
 int Main(int argc, char** argv) {
-  // The one flag whose value may be left out.
-  std::vector<std::string> words(argv, argv + argc);
-  std::replace(words.begin(), words.end(), std::string("--json"), std::string("--json=-"));
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  const auto others = ParseFlags(argc, pointers.data(), "experiments/audit_energies/");
+  CommandLine line = GflagsOf("experiments/audit_energies/", {"json"});
+  const auto others = line.Parse({argv + 1, argv + argc});
   if (!others.ok()) return Complain(others.status());
+  if (const auto answered = AnswerQuestions(ProgramManual(), line, *others)) return *answered;
   if (!others->empty()) {
     return Complain(Status::InvalidInput("unexpected argument '" + others->front() +
                                          "'; the program takes flags only"));
-  }
-  if (FLAGS_help) {
-    fmt::print("{}{}", kUsage, FlagHelp("experiments/audit_energies/"));
-    return kSound;
   }
   const std::vector<AuditRow> rows = AuditRegistry(Energies(), Samples());
   fmt::print("{}", FLAGS_json == "-" ? ToJson(rows) : ToText(rows));

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "cirque/energy/angle_constraints.h"
+#include "cirque/energy/conformal_equivalence_energy.h"
 
 namespace cirque::audit_energies {
 namespace {
@@ -58,6 +61,27 @@ AuditSamples CirclePatternSamples() {
            CirclePatternCase("nearly cocircular", (kPi - kSliver) / 2),
            CirclePatternCase("needles", kSliver)},
           CirclePatternReference};
+}
+
+/// `spread`: lengths are multiplied by e^-spread to e^spread at random, so that many triangles are
+/// none.
+SampleCase EquivalenceCase(const std::string& name, EnergyInput input, double spread) {
+  Random random(11);
+  for (double& length : input.lengths.value) length *= std::exp(random.Uniform(-spread, spread));
+  const auto n = static_cast<int>(TargetsOfScales(input.targets).angle_sum.size());
+  SampleCase c = CaseOf(name, std::move(input));
+  for (const double size : {0.0, 0.3, 3.0, 10.0}) {
+    c.inside.push_back({fmt::format("|u| up to {}", size), random.Vector(n, size), 1e-3});
+  }
+  return c;
+}
+
+SampleMaker EquivalenceSamplesOf(bool delaunay) {
+  return [delaunay]() -> AuditSamples {
+    return {{EquivalenceCase("disk", DiskInput(2), 0), EquivalenceCase("sphere", SphereInput(3), 0),
+             EquivalenceCase("no triangles", SphereInput(4), 3)},
+            EquivalenceReference(delaunay)};
+  };
 }
 
 SampleCase BarrierCase(const std::string& name, const VectorXd& reference) {
@@ -146,6 +170,8 @@ const Registry<SampleMaker>& Samples() {
       "energy with samples", {
                                  {"circle_pattern", CirclePatternSamples},
                                  {"coherent_angle_barrier", BarrierSamples},
+                                 {"conformal_equivalence", EquivalenceSamplesOf(true)},
+                                 {"conformal_equivalence_fixed", EquivalenceSamplesOf(false)},
                                  {"lorentz", LorentzSamples},
                                  {"quadratic_dual", DualSamplesOf("quadratic")},
                                  {"weighted_quadratic_dual", DualSamplesOf("weighted_quadratic")},

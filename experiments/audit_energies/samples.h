@@ -25,6 +25,9 @@ class Random {
 /// no points.
 EnergyInput DiskInput(unsigned seed);
 
+/// A small sphere of which every vertex is a cone.
+EnergyInput SphereInput(unsigned seed);
+
 /// Angles around pi/3 in every triangle; theta about pi/3 everywhere.
 Eigen::VectorXd RoundAngles(const Triangulation& triangulation, unsigned seed);
 
@@ -40,6 +43,10 @@ EnergyInput PointsInput(int n, double scale, unsigned seed);
 ReferenceValue CirclePatternReference(const EnergyInput& input, const Reals& log_radii);
 ReferenceValue CoherentAngleBarrierReference(const EnergyInput& input, const Reals& angles);
 ReferenceValue LorentzReference(const EnergyInput& input, const Reals& x);
+
+/// The conformal-equivalence energies from lengths, Ptolemy's theorem and the law of cosines; on the
+/// triangulation that is Delaunay, or on that of the input.
+Reference EquivalenceReference(bool delaunay);
 
 /// Of the dual of the angle fit with the objective of that name: the conjugate of an edge is the
 /// largest of its values at every point of Q_e that can be the maximiser, found side by side.

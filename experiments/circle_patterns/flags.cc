@@ -1,8 +1,10 @@
 #include "experiments/circle_patterns/flags.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iomanip>
 #include <map>
 #include <utility>
 
@@ -11,86 +13,61 @@
 #include "cirque/angles/registry.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
+#include "cirque/io/io.h"
 #include "cirque/solver/solver_strategy.h"
+
+#include "experiments/circle_patterns/pictures.h"
+#include "experiments/common/options_file.h"
 
 namespace cirque {
 namespace {
 
-const OptionTable<ProgramSettings>& SettingsTable() {
-  using S = ProgramSettings;
-  static const OptionTable<S> kTable(
-      "circle_patterns",
-      {Option<S>("measures", &S::measures,
-                 "files of distortion measures, a comma between: .csv (per face), .json (per map), "
-                 ".ply or .ply:MEASURE (colours)")
-           .About("Output"),
-       Option<S>("threads", &S::threads,
-                 "most threads of loops over faces and edges; 0: as CIRQUE_NUM_THREADS says, else "
-                 "all cores")
-           .Between(0, 1e6)
-           .About("Program"),
-       Option<S>("certificate_help", &S::certificate_help,
-                 "writes the reference of certificates, in Markdown")
-           .About("Program"),
-       Option<S>("help", &S::help, "this text").About("Program")});
-  return kTable;
+constexpr char kStream[] = "-";
+constexpr int kLongestFlag = 64;
+
+/// "layout" of "--layout=directions".
+std::string FlagIn(const std::string& word) {
+  const std::string name = word.substr(word.starts_with("--") ? 2 : 1);
+  return name.substr(0, name.find('='));
 }
 
-const OptionTable<CirclePatternsJob>& InputTable() {
-  using J = CirclePatternsJob;
-  static const OptionTable<J> kTable("circle_patterns", [] {
-    std::vector<Option<J>> rows = {
-        {"io", &J::input, "mesh: .obj, .off, .ply or .stl"},
-        {"ic", &J::input_con, ".con: an intrinsic metric, instead of -io"},
-        {"no", &J::layout_only,
-         "no optimisation: cut and lay out the metric of -ic, which is flat already"},
-        {"iv", &J::cones, "cone file: 'vertex min max' a line, angle sums in multiples of pi"},
-        {"angle_sums", &J::angle_sums,
-         "file of one target angle sum in radians per vertex, instead of -iv"},
-        {"ie", &J::cut, "edge-cut file: 'from to face' a line; without it a short cut is found"},
-        {"cut_paths", &J::cut_paths,
-         "'a-b,c-d': open shortest paths between these vertices, counted from 1, instead of -ie"},
-        {"fill_holes", &J::fill_holes,
-         "close all boundary loops but the longest for the solve; the fill is not written"}};
-    for (Option<J>& row : rows) row = std::move(row).About("Input");
-    return rows;
-  }());
-  return kTable;
+/// Of files of meshes and metrics.
+std::vector<std::string> SurfaceExtensions() {
+  std::vector<std::string> extensions = ReadableExtensions();
+  extensions.push_back("con");
+  return extensions;
 }
 
-const OptionTable<CirclePatternsJob>& OutputTable() {
-  using J = CirclePatternsJob;
-  static const OptionTable<J> kTable("circle_patterns", [] {
-    std::vector<Option<J>> rows = {
-        {"oo", &J::output, ".obj, with the map as texture coordinates; of the sphere also .ply"},
-        {"oc", &J::con, ".con: the flat metric on the triangulation where it was solved"},
-        {"flip_back", &J::flip_back, "-oc after undoing every flip that the flat metric allows"},
-        {"certificate", &J::certificate,
-         "file for the certificate; empty: OUTPUT.certificate.json"},
-        {"latlong", &J::latlong, "sphere: .obj with latitude and longitude as texture"}};
-    for (Option<J>& row : rows) row = std::move(row).About("Output");
-    return rows;
-  }());
-  return kTable;
+/// Without the ending of packed files.
+std::string Unpacked(const std::string& path) {
+  return path.ends_with(".gz") ? path.substr(0, path.size() - 3) : path;
 }
 
-const OptionTable<DomainRequest>& DomainTable() {
-  static const OptionTable<DomainRequest> kTable(
-      "circle_patterns",
-      {Option<DomainRequest>("domain", &DomainRequest::name,
-                             "shape to map onto; its vertices are counted from 1")
-           .Checked([](const std::string& name) { return Domains().Find(name).status(); })
-           .OneOf(Domains().Names())
-           .About("Domain")});
-  return kTable;
+/// Whether a file is, by its name, something that can be mapped.
+bool IsSurfaceFile(const std::string& path) {
+  const std::vector<std::string> known = SurfaceExtensions();
+  const std::string extension = MeshExtension(Unpacked(path));
+  return path.starts_with("/dev/") ||
+         std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+/// "DIR/NAME_uv.obj" for the input "DIR/NAME.EXT".
+std::string OutputFor(const CirclePatternsJob& job) {
+  const std::string& input = job.input.empty() ? job.input_con : job.input;
+  if (input.starts_with("/dev/")) return kStream;
+  std::filesystem::path path = Unpacked(input);
+  return path.replace_filename(path.stem().string() + "_uv.obj").string();
 }
 
 /// The flags that stand for what a domain reads or gives, where they are not called like it.
 std::vector<std::string> FlagsFor(const std::string& member) {
   static const std::map<std::string, std::vector<std::string>> kFlags = {
-      {"targets", {"iv", "angle_sums"}},  {"cut", {"ie", "cut_paths"}},
-      {"metric", {"ic", "no"}},           {"flat", {"oc", "flip_back"}},
-      {"uv", {"measures", "fill_holes"}}, {"position", {"latlong"}}};
+      {"targets", {"iv", "angle_sums"}},
+      {"cut", {"ie", "cut_paths"}},
+      {"metric", {"ic", "no"}},
+      {"flat", {"oc", "flip_back"}},
+      {"uv", {"measures", "fill_holes", "uv", "uv_margin", "scale_pieces"}},
+      {"position", {"latlong"}}};
   const auto found = kFlags.find(member);
   return found == kFlags.end() ? std::vector<std::string>{member} : found->second;
 }
@@ -125,12 +102,13 @@ Status CheckDomainFlags(const std::string& name,
 }  // namespace
 
 CirclePatternsFlags::CirclePatternsFlags() {
-  line_.Add(InputTable(), &job_);
-  line_.Add(OutputTable(), &job_);
   line_.Add(DomainTable(), &job_.domain);
+  line_.Add(JobTable(), &job_);
+  line_.Add(MeshOptionTable(), &job_.mesh);
   AddShapeFlags();
   line_.Add(ParameterizeOptionTable(), &job_.options);
   line_.Add(SettingsTable(), &settings_);
+  line_.AddQuestions();
 }
 
 /// Kept as texts: which vertices they name turns out when the mesh is there.
@@ -154,17 +132,61 @@ Status CirclePatternsFlags::Parse(const std::vector<std::string>& arguments) {
   StatusOr<std::vector<std::string>> others = line_.Parse(arguments);
   if (!others.ok()) return others.status();
   others_ = *std::move(others);
-  if (arguments.size() != 1 || others_.size() != 1) return Status();
-  // The thesis's other way to call the program: all options in one text file.
-  const std::string path = others_.front();
-  std::ifstream file(path);
-  if (!file) return Status::InvalidInput(path + ": cannot read this file of options; see --help");
-  std::vector<std::string> words;
-  for (std::string word; file >> word;) words.push_back(word);
-  others = line_.Parse(words);
+  if (arguments.size() == 1 && others_.size() == 1) {
+    const StatusOr<bool> is_options = IsFileOfOptions(others_.front());
+    if (!is_options.ok()) return is_options.status();
+    if (*is_options) {
+      if (Status s = ParseFile(others_.front()); !s.ok()) return s;
+    }
+  }
+  if (!IsAsked()) TakeFiles();
+  return Status();
+}
+
+/// The thesis's other way to call the program: all options in one text file. It begins with a flag,
+/// which no mesh does.
+StatusOr<bool> CirclePatternsFlags::IsFileOfOptions(const std::string& path) const {
+  if (path == kStream) return false;
+  const bool is_mesh = IsSurfaceFile(path);
+  std::ifstream file(path, std::ios::binary);
+  std::string word;
+  if (!file || std::filesystem::is_directory(path)) {
+    // Where it is named like a mesh, the reader of meshes says what is wrong with it.
+    if (is_mesh) return false;
+    return Status::InvalidInput(path + ": cannot read this file of options; see --help");
+  }
+  file >> std::setw(kLongestFlag) >> word;
+  if (word.starts_with('-') && (!is_mesh || line_.Knows(FlagIn(word)))) return true;
+  if (is_mesh) return false;
+  return Status::InvalidInput(fmt::format(
+      "{}: neither a file of options, which begins with one (-io), nor a mesh by its name ({})",
+      path, Join(SurfaceExtensions())));
+}
+
+Status CirclePatternsFlags::ParseFile(const std::string& path) {
+  const StatusOr<std::vector<std::string>> words = ReadOptionsFile(path);
+  if (!words.ok()) return words.status();
+  StatusOr<std::vector<std::string>> others = line_.Parse(*words);
   if (!others.ok()) return others.status().In(path);
   others_ = *std::move(others);
   return Status();
+}
+
+/// IN and OUT by their places, as far as flags have not named them; OUT by IN where nothing is to
+/// be written at all.
+void CirclePatternsFlags::TakeFiles() {
+  CirclePatternsJob& job = job_;
+  const auto take = [this](std::string* target) {
+    *target = others_.front();
+    others_.erase(others_.begin());
+  };
+  const bool has_input = !job.input.empty() || !job.input_con.empty();
+  const bool by_place = !has_input && !others_.empty();
+  if (by_place) take(MeshExtension(others_.front()) == "con" ? &job.input_con : &job.input);
+  if (job.output.empty() && !others_.empty()) take(&job.output);
+  if (job.input == kStream) job.input = "/dev/stdin";
+  if (by_place && job.output.empty() && job.con.empty()) job.output = OutputFor(job);
+  if (job.output == kStream) job.output = "/dev/stdout";
 }
 
 Status CirclePatternsFlags::CheckFiles() const {
@@ -178,7 +200,9 @@ Status CirclePatternsFlags::CheckFiles() const {
   if (!others_.empty()) {
     return refuse("unexpected argument '" + others_.front() + "'; see --help");
   }
-  if (job.input.empty() && job.input_con.empty()) return refuse("-io IN is missing; see --help");
+  if (job.input.empty() && job.input_con.empty()) {
+    return refuse("no mesh is given: circle_patterns IN OUT; see --help");
+  }
   if (!job.input.empty() && !job.input_con.empty()) return refuse("give one of -io and -ic");
   if (!job.options.cones.empty() && by_file) {
     return refuse("give the cones by -cones or by a file (-iv, -angle_sums), not both");
@@ -189,12 +213,23 @@ Status CirclePatternsFlags::CheckFiles() const {
   if (job.layout_only && !as_it_is) {
     return refuse("-no lays out the metric as it is: leave out -refine_map and -seams");
   }
+  if (!job.exact.empty() && !job.input_con.empty()) {
+    return refuse(
+        "-exact writes points of a surface, which a metric has none of: leave out -ic and -no");
+  }
+  if (!job.input_con.empty() && (!job.view.empty() || !job.picture.empty())) {
+    return refuse("a metric has no surface to be shown: leave out -view and -picture");
+  }
   if (!job.cut.empty() && !job.cut_paths.empty()) return refuse("give one of -ie and -cut_paths");
   if (job.flip_back && job.con.empty()) {
     return refuse("-flip_back is about the metric of -oc, which is missing");
   }
+  if (job.options.solve_at > 0 && (!job.input_con.empty() || !job.con.empty())) {
+    return refuse(
+        "-solve_at takes meshes, and has no flat metric of all faces: leave out -ic, -oc");
+  }
   if (job.output.empty() && (job.input_con.empty() || job.con.empty())) {
-    return refuse("-oo OUT is missing; see --help");
+    return refuse("no output is given: circle_patterns IN OUT; see --help");
   }
   return Status();
 }
@@ -220,6 +255,10 @@ Status CirclePatternsFlags::CheckSolvers() const {
   return MakeAngleSolver(job_.options.angle_solver).status().In("--angle_solver");
 }
 
+bool CirclePatternsFlags::IsAsked() const {
+  return line_.help_topic() || line_.IsGiven("version") || settings_.certificate_help;
+}
+
 StatusOr<CirclePatternsJob> CirclePatternsFlags::Job() const {
   for (const auto check : {&CirclePatternsFlags::CheckFiles, &CirclePatternsFlags::CheckDomain,
                            &CirclePatternsFlags::CheckSolvers}) {
@@ -229,6 +268,7 @@ StatusOr<CirclePatternsJob> CirclePatternsFlags::Job() const {
   if (!measures.ok()) return measures.status().In("--measures");
   CirclePatternsJob job = job_;
   job.measures = *std::move(measures);
+  if (Status s = CheckPictures(job.view, job.picture); !s.ok()) return s;
   if (Status s = CheckOptions(job.options); !s.ok()) return s;
   return job;
 }

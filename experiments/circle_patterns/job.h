@@ -7,6 +7,8 @@
 #include "cirque/core/option_table.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
+#include "cirque/domains/map_options.h"
+#include "cirque/io/con_file.h"
 #include "cirque/metrics/measure_files.h"
 #include "cirque/pipeline/options.h"
 
@@ -26,20 +28,27 @@ struct CirclePatternsJob {
   std::string cones;         ///< file of `vertex min max` in multiples of pi; empty: none
   std::string angle_sums;    ///< file of one target angle sum [rad] per vertex; empty: none
   std::string cut;           ///< file of edges `from to face` to open; empty: a short cut is found
-  std::string cut_paths;    ///< "a-b,c-d": vertices, counted from 1, to open shortest paths between
-  std::string con;          ///< where to write the flat intrinsic metric; empty: nowhere
+  std::string cut_paths;  ///< "a-b,c-d": vertices, counted from 1, to open shortest paths between
+  std::string con;        ///< where to write the flat intrinsic metric; empty: nowhere
+  ConForm con_form = ConForm::kNeighbours;
+  bool overwrite = false;   ///< outputs may be inputs
   bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric
-  bool fill_holes = false;  ///< all boundary loops but the longest, not in the output
-  std::string certificate;  ///< where to write it; empty: beside the output
+  std::string certificate;  ///< where to write it; empty: beside the output unless all is well
+  std::string view;         ///< .html to write with a viewer of the map; empty: none
+  std::string picture;      ///< .svg or .png to write, FILE:MEASURE with its colours; empty: none
   std::string latlong;      ///< .obj to write with latitude and longitude as texture; empty: none
+  std::string exact;        ///< where to write the exact map (RefineByExactMap); empty: nowhere
   std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
   ParameterizeOptions options;
   DomainRequest domain;
+  MeshOptions mesh;
 };
 
-/// Reads, checks, flattens and writes, telling `report` what it finds. The output is written only
-/// for a map that the checks accept; the certificate whenever the mesh could be read and was fit to
-/// be parameterized, beside it the carriers of an infeasibility certificate; none of them when
+/// Reads, checks, repairs, flattens and writes, telling `report` what it finds. Of several
+/// components each is mapped by itself; the status is the worst of theirs (SummarizeComponents),
+/// and what has a map is written. The output is written only for a map that the checks accept. The
+/// certificate is written where the job asks for it, and where the mesh could be read but its
+/// outcome is not ok, beside it the carriers of an infeasibility certificate; none of them when
 /// `control` cancels.
 Status RunOnMesh(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report);
 

@@ -6,13 +6,13 @@
 #include "cirque/domains/domain.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/layout/map_objective.h"
+#include "cirque/linear/blas_threads.h"
 #include "cirque/linear/multigrid.h"
 #include "cirque/pipeline/certificate.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/flags.h"
 #include "experiments/circle_patterns/job.h"
-#include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
 #include "experiments/common/program.h"
 #include "experiments/common/solve_progress.h"
@@ -20,23 +20,12 @@
 namespace cirque {
 namespace {
 
-constexpr char kUsage[] =
-    "Maps a triangle mesh conformally by a circle pattern.\n"
-    "  circle_patterns -io IN.obj -oo OUT.obj\n"
-    "  circle_patterns -ic IN.con -oo OUT.obj\n"
-    "  circle_patterns -domain=sphere -io IN.obj -oo OUT.obj (or OUT.ply)\n"
-    "  circle_patterns OPTIONS.txt           all options in one text file\n"
-    "  mpirun -n 4 circle_patterns ...       -radii_solver=newton_amg distributed over processes\n"
-    "Exit status: 0 done, 1 not converged, inaccurate or interrupted, 2 bad input or the machine "
-    "failed, 3 infeasible (see its certificate), 4 unrepresentable.\n";
-
 int Conclude(const Status& status) {
   if (!status.ok()) std::cerr << "circle_patterns: " << status.message() << "\n";
   return ExitStatus(status.code());
 }
 
-Status Run(const CirclePatternsJob& job, const SolveControl& control) {
-  std::ostream& report = job.output == "/dev/stdout" ? std::cerr : std::cout;
+Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {
   return job.input_con.empty() ? RunOnMesh(job, control, report)
                                : RunOnMetric(job, control, report);
 }
@@ -47,9 +36,8 @@ int Main(int argc, char** argv) {
   if (*served) return 0;
   CirclePatternsFlags flags;
   if (Status s = flags.Parse({argv + 1, argv + argc}); !s.ok()) return Conclude(s);
-  if (flags.settings().help) {
-    std::cout << kUsage << "\n" << flags.Help();
-    return 0;
+  if (const auto answered = AnswerQuestions(ProgramManual(), flags.line(), flags.others())) {
+    return *answered;
   }
   if (flags.settings().certificate_help) {
     std::cout << CertificateReference();
@@ -60,9 +48,12 @@ int Main(int argc, char** argv) {
   const int threads = flags.settings().threads;
   const ThreadLimit limit(ReserveBlasBuffers(threads > 0 ? threads : ThreadsByEnvironment()));
   CatchInterrupts();
-  SolveProgress progress(stderr);
-  const SolveControl control{progress.Callback(), InterruptFlag()};
-  const Status status = Run(*job, control);
+  const bool quiet = flags.settings().quiet;
+  SolveProgress progress(quiet ? nullptr : stderr);
+  std::ostream& out = job->output == "/dev/stdout" ? std::cerr : std::cout;
+  std::ostream report(quiet ? nullptr : progress.Before(out));
+  const Status status = Run(*job, progress.Control(InterruptFlag()), report);
+  report.flush();
   progress.Erase();
   return Conclude(status);
 }

@@ -1,29 +1,61 @@
 #include "experiments/circle_patterns/outputs.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
+#include "cirque/domains/exact_mesh.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
 #include "cirque/layout/sphere_chart.h"
 #include "cirque/pipeline/infeasibility_files.h"
 
+#include "experiments/circle_patterns/pictures.h"
 #include "experiments/common/process.h"
 #include "experiments/common/sphere_files.h"
 
 namespace cirque {
 namespace {
 
-Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surface& surface,
-                    const SurfaceMap& map, std::ostream& report) {
+namespace fs = std::filesystem;
+
+/// "3-17, 4-9": the edges that cannot be flipped back, by their vertices from 1.
+std::string EndsOf(const FlippedBack& back) {
+  constexpr std::size_t kShown = 10;
+  const Triangulation& t = back.triangulation;
+  std::vector<std::string> ends;
+  for (const Index e : back.stuck) {
+    if (ends.size() == kShown)
+      return Join(ends) + fmt::format(" and {} more", back.stuck.size() - kShown);
+    const Index h = t.edge_halfedge[e];
+    ends.push_back(fmt::format("{}-{}", t.Tail(h) + 1, t.Tip(h) + 1));
+  }
+  return Join(ends);
+}
+
+bool WantsPictures(const CirclePatternsJob& job) {
+  return !job.view.empty() || !job.picture.empty();
+}
+
+/// The mesh's name, for the head of a page.
+std::string TitleOf(const CirclePatternsJob& job) { return fs::path(job.input).stem().string(); }
+
+Status WriteLatLong(const std::string& path, const Input& input, const SurfaceMap& map,
+                    std::ostream& report) {
+  const Surface& surface = input.surface;
   if (path.empty()) return Status();
   const LatLong latlong = LatLongUv(surface.triangulation, map.position);
-  if (Status s = WriteMesh(path, AttachUv(soup, surface, latlong.uv)); !s.ok()) return s;
+  if (Status s =
+          WriteTexturedMesh(path, input.file, AttachUv(input.file.soup, surface, latlong.uv));
+      !s.ok()) {
+    return s;
+  }
   report << fmt::format("wrote       {} ({} triangles around the poles)\n", path,
                         latlong.at_poles.size());
   return Status();
@@ -31,35 +63,55 @@ Status WriteLatLong(const std::string& path, const PolygonSoup& soup, const Surf
 
 Status WriteSphere(const CirclePatternsJob& job, const Input& input, const SurfaceMap& map,
                    std::ostream& report) {
-  const auto& [soup, surface, filled] = input;
+  const PolygonSoup& soup = input.file.soup;
+  const Surface& surface = input.surface;
   const Status written = MeshExtension(job.output) == "ply"
                              ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
                              : WriteMesh(job.output, SphereMesh(soup, surface, map.position));
-  return written.ok() ? WriteLatLong(job.latlong, soup, surface, map, report) : written;
+  if (!written.ok()) return written;
+  if (Status s = WriteLatLong(job.latlong, input, map, report); !s.ok()) return s;
+  if (!WantsPictures(job)) return Status();
+  return WritePictures(job.view, job.picture, TitleOf(job), MakeSphereMap(surface, map.position),
+                       map.certificate, report);
+}
+
+/// The input refined by the exact map.
+Status WriteExact(const CirclePatternsJob& job, const Input& input, const ExactMap& map,
+                  std::ostream& report) {
+  const ExactMesh exact = RefineByExactMap(input.file.soup, input.solved, map);
+  if (Status s = WriteMeshInGroups(job.exact, exact.mesh, exact.polygon); !s.ok()) return s;
+  report << fmt::format("wrote       {} ({} triangles)\n", job.exact, exact.polygon.size());
+  return Status();
 }
 
 Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream& report,
                   SurfaceMap* map) {
-  const CornerUv uv = input.filled ? WithoutFill(*input.filled, map->uv) : std::move(map->uv);
-  if (Status s = WriteMesh(job.output, AttachUv(input.soup, input.surface, uv)); !s.ok()) return s;
+  const CornerUv uv = std::move(map->uv);
+  const PolygonSoup textured = AttachUv(input.file.soup, input.surface, uv);
+  if (Status s = WriteTexturedMesh(job.output, input.file, textured); !s.ok()) return s;
+  if (map->exact_map) {
+    if (Status s = WriteExact(job, input, *map->exact_map, report); !s.ok()) return s;
+  }
   if (!job.con.empty()) {
     if (Status s = WriteFlatMetric(job, report, map); !s.ok()) return s;
   }
   const Triangulation& t = input.surface.triangulation;
-  return WriteMeasures(
+  const Status measured = WriteMeasures(
       job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
+  if (!measured.ok() || !WantsPictures(job)) return measured;
+  return WritePictures(job.view, job.picture, TitleOf(job), MakeUvMap(input.surface, uv),
+                       map->certificate, report);
 }
 
 /// Whether the names' formats can hold what is to be written.
 Status CheckNames(const CirclePatternsJob& job) {
-  const StatusOr<Domain> domain = Domains().Find(job.domain.name);
-  if (!domain.ok()) return domain.status();
-  const bool on_sphere = domain->Gives("position");
-  const std::string extension = MeshExtension(job.output);
-  if (!job.output.empty() && extension != "obj" && !(on_sphere && extension == "ply")) {
+  const std::vector<std::string> known = MapExtensions();
+  for (const std::string& output : {job.output, job.exact}) {
+    const bool is_known =
+        std::find(known.begin(), known.end(), MeshExtension(output)) != known.end();
+    if (output.empty() || is_known) continue;
     return Status::InvalidInput(
-        job.output + (on_sphere ? ": maps to the sphere are written as .obj or .ply; name it so"
-                                : ": maps are written as .obj; name the output so"));
+        fmt::format("{}: a map is written as one of {}; name the output so", output, Join(known)));
   }
   if (!job.latlong.empty() && MeshExtension(job.latlong) != "obj") {
     return Status::InvalidInput(job.latlong + ": texture is written as .obj; name it so");
@@ -78,15 +130,37 @@ Status WriteCarriers(const std::string& stem, const Surface& surface,
   return Status();
 }
 
+/// Whether both names lead to one regular file.
+bool IsSameFile(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::is_regular_file(a, error) && fs::equivalent(a, b, error);
+}
+
+Status CheckNotAnInput(const CirclePatternsJob& job, const std::string& output) {
+  for (const std::string& input : {job.input, job.input_con, job.cones, job.angle_sums, job.cut}) {
+    if (job.overwrite || input.empty() || !IsSameFile(output, input)) continue;
+    return Status::InvalidInput(fmt::format(
+        "{}: this is the input {}; name another output, or give --overwrite", output, input));
+  }
+  return Status();
+}
+
 }  // namespace
 
 Status CheckOutputs(const CirclePatternsJob& job) {
   if (Status s = CheckNames(job); !s.ok()) return s;
-  std::vector<std::string> paths = {job.output, job.con, job.latlong, CertificatePath(job)};
+  std::vector<std::string> paths = {job.output,
+                                    job.exact,
+                                    job.con,
+                                    job.latlong,
+                                    CertificatePath(job),
+                                    job.view,
+                                    PictureFile(job.picture)};
   for (const MeasureFile& file : job.measures) paths.push_back(file.path);
   for (const std::string& path : paths) {
     if (path.empty()) continue;
     if (Status s = CheckOutputPath(path); !s.ok()) return s;
+    if (Status s = CheckNotAnInput(job, path); !s.ok()) return s;
   }
   return Status();
 }
@@ -102,13 +176,13 @@ Status WriteFlatMetric(const CirclePatternsJob& job, std::ostream& report, Param
   Status status;
   if (job.flip_back) {
     const FlippedBack back = FlipBack(flat.intrinsic, flat.intrinsic_lengths);
-    status = WriteCon(job.con, back.triangulation, back.lengths);
+    status = WriteCon(job.con, back.triangulation, back.lengths, job.con_form);
     Fill(&map->certificate.triangulation).flip_back_stuck = static_cast<int>(back.stuck.size());
     report << fmt::format("flip-back   {} of {} flips stay", back.stuck.size(),
                           flat.intrinsic.flips.size());
-    report << (back.stuck.empty() ? "\n" : ": edges " + IdList(back.stuck) + " (0-based)\n");
+    report << (back.stuck.empty() ? "\n" : ": edges " + EndsOf(back) + " of the .con\n");
   } else {
-    status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths);
+    status = WriteCon(job.con, flat.intrinsic.triangulation, flat.intrinsic_lengths, job.con_form);
   }
   if (status.ok()) report << "wrote       " << job.con << "\n";
   return status;
@@ -144,7 +218,10 @@ Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, co
   certificate->process = ProcessSummary{PeakMemoryMib()};
   certificate->seconds.process = timer.Seconds();
   const std::string path = CertificatePath(job);
-  if (path.empty()) return status;
+  const bool is_asked = !job.certificate.empty();
+  if (path.empty() || (!is_asked && certificate->outcome == ToString(StatusCode::kOk))) {
+    return status;
+  }
   if (Status s = WriteFileAtomically(path, certificate->ToJson()); !s.ok()) return s;
   report << "certificate " << path << "\n";
   const InfeasibilityCertificate& infeasibility = certificate->infeasibility;

@@ -6,8 +6,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/domains/domain.h"
-#include "cirque/io/polygon_soup.h"
-#include "cirque/mesh/holes.h"
+#include "cirque/io/io.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
 
@@ -18,15 +17,16 @@ namespace cirque {
 /// The evidence in a few lines for people.
 std::string Summary(const Certificate& certificate);
 
-/// Refuses outputs before anything is solved for them: names whose format cannot hold a map to the
-/// job's domain (an .obj holds any, a .ply those to the sphere), paths that cannot be written to.
+/// Refuses outputs before anything is solved for them: names whose format cannot hold a map, paths
+/// that cannot be written to, and files that are inputs (by whatever name or link) unless the job
+/// allows that.
 Status CheckOutputs(const CirclePatternsJob& job);
 
-/// What was read, the surface that it is, and the one that was solved on where holes were filled.
+/// What was read, and the surface that has a map.
 struct Input {
-  const PolygonSoup& soup;
+  const MeshFile& file;
   const Surface& surface;
-  const FilledSurface* filled;  ///< null: the surface itself
+  const Surface& solved;  ///< with the fill of its holes
 };
 
 /// Writes the map of the input's own triangles: with UV the mesh as it was with texture, or its
@@ -52,7 +52,8 @@ struct MeasuredMesh {
 Status WriteMeasures(const CirclePatternsJob& job, const MeasuredMesh& mesh, const CornerUv& uv,
                      std::ostream& report);
 
-/// "DIR/NAME.certificate.json" for an output "DIR/NAME.EXT"; nothing beside a device or stream.
+/// Where the certificate goes if it is written: as the job says, else "DIR/NAME.certificate.json" for
+/// an output "DIR/NAME.EXT"; nothing beside a device or stream.
 std::string CertificatePath(const CirclePatternsJob& job);
 
 /// Where an infeasibility certificate leaves the faces and vertices that carry it: the certificate's
@@ -60,7 +61,8 @@ std::string CertificatePath(const CirclePatternsJob& job);
 std::string CarrierStem(const CirclePatternsJob& job);
 
 /// Writes the certificate, with the memory and the time of the process until now, and the carriers
-/// of its infeasibility certificate if it holds one. Returns `status`, or what kept it from writing.
+/// of its infeasibility certificate if it holds one; without being asked for it, only of an outcome
+/// that is not ok. Returns `status`, or what kept it from writing.
 Status WriteCertificate(const CirclePatternsJob& job, const Surface& surface, const Timer& timer,
                         Certificate* certificate, const Status& status, std::ostream& report);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -94,7 +95,7 @@ StatusOr<Index> VertexOf(std::string_view word, const FileNumbers& numbers) {
       "cut_paths: '{}' is no vertex of the surface; write pairs such as 12-40,40-7", word));
 }
 
-/// Shortest paths between the pairs "a-b,c-d".
+/// Shortest paths between the pairs "a-b,c-d", along sides of faces.
 StatusOr<Cut> CutAlongPaths(std::string_view text, const Triangulation& t,
                             const EdgeLengths& lengths, const FileNumbers& numbers) {
   std::vector<std::pair<Index, Index>> ends;
@@ -108,7 +109,11 @@ StatusOr<Cut> CutAlongPaths(std::string_view text, const Triangulation& t,
     if (!to.ok()) return to.status();
     ends.emplace_back(*from, *to);
   }
-  return CutAlongShortestPaths(t, lengths.value, ends);
+  Eigen::VectorXd costs = lengths.value;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (numbers.IsInside(e)) costs[e] = std::numeric_limits<double>::infinity();
+  }
+  return CutAlongShortestPaths(t, costs, ends);
 }
 
 }  // namespace
@@ -118,11 +123,12 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
   MapRequest request;
   request.domain = job.domain.name;
   request.options = job.options;
+  request.options.exact = !job.exact.empty();
   auto shape = OptionsOf(job.domain, FileNumbering(surface, num_file_vertices));
   if (!shape.ok()) return shape.status();
   request.shape = *std::move(shape);
-  auto targets =
-      PrescribedTargets(job, surface.triangulation, {num_file_vertices, surface.soup_vertex});
+  auto targets = PrescribedTargets(
+      job, surface.triangulation, {num_file_vertices, surface.soup_vertex}, &request.cone_rounding);
   if (!targets.ok()) return targets.status();
   request.targets = *std::move(targets);
   auto cut = PrescribedCut(job, surface.triangulation, MeasureEdgeLengths(surface),
@@ -132,14 +138,16 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
   return request;
 }
 
-StatusOr<std::optional<ConeTargets>> PrescribedTargets(const CirclePatternsJob& job,
-                                                       const Triangulation& t,
-                                                       const FileVertices& vertices) {
+StatusOr<std::optional<ConeTargets>> PrescribedTargets(
+    const CirclePatternsJob& job, const Triangulation& t, const FileVertices& vertices,
+    std::optional<ConeRoundingSummary>* rounding) {
   if (job.angle_sums.empty() && job.cones.empty()) return std::optional<ConeTargets>();
+  ConeFileRounding done;
   StatusOr<ConeTargets> targets = job.angle_sums.empty()
-                                      ? ReadConeFile(job.cones, t, vertices)
+                                      ? ReadConeFile(job.cones, t, vertices, &done)
                                       : ReadAngleSumFile(job.angle_sums, t, vertices);
   if (!targets.ok()) return targets.status();
+  if (done.cones > 0) *rounding = {done.cones, done.missed, done.largest};
   return std::optional<ConeTargets>(*std::move(targets));
 }
 

@@ -8,6 +8,7 @@
 #include "cirque/cuts/edge_files.h"
 #include "cirque/domains/domain.h"
 #include "cirque/io/cone_file.h"
+#include "cirque/pipeline/summaries.h"
 
 #include "experiments/circle_patterns/job.h"
 
@@ -18,12 +19,14 @@ namespace cirque {
 StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vertices,
                                const Surface& surface);
 
-/// The angle sums that the job's files prescribe; nothing when it names none.
-StatusOr<std::optional<ConeTargets>> PrescribedTargets(const CirclePatternsJob& job,
-                                                       const Triangulation& triangulation,
-                                                       const FileVertices& vertices);
+/// The angle sums that the job's files prescribe; nothing when it names none. `rounding`: what the
+/// cones of a file needed to add up, if they did not.
+StatusOr<std::optional<ConeTargets>> PrescribedTargets(
+    const CirclePatternsJob& job, const Triangulation& triangulation, const FileVertices& vertices,
+    std::optional<ConeRoundingSummary>* rounding);
 
-/// The cut of the job's file or paths (shortest in `lengths`); nothing when it names neither.
+/// The cut of the job's file or paths (shortest in `lengths`, along sides of faces); nothing when it
+/// names neither.
 StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job,
                                            const Triangulation& triangulation,
                                            const EdgeLengths& lengths, const FileNumbers& numbers);

@@ -6,6 +6,7 @@
 #include "cirque/core/atomic_file.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
+#include "cirque/mesh/file_numbers.h"
 
 #include "experiments/circle_patterns/job.h"
 #include "experiments/circle_patterns/outputs.h"
@@ -59,17 +60,20 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
   if (job.layout_only) {
     status = LayOutFlatMetric(t, metric->lengths, *cut ? &**cut : nullptr, &map);
   } else {
-    const StatusOr<std::optional<ConeTargets>> targets =
-        PrescribedTargets(job, t, {t.num_vertices, numbers.vertex});
+    ParameterizeRequest request{job.options, {}, *cut, {}};
+    StatusOr<std::optional<ConeTargets>> targets =
+        PrescribedTargets(job, t, {t.num_vertices, numbers.vertex}, &request.cone_rounding);
     if (!targets.ok()) return targets.status();
-    status = Parameterize(t, metric->lengths, {job.options, *targets, *cut}, control, &map);
+    request.targets = *std::move(targets);
+    status = Parameterize(t, metric->lengths, request, control, &map);
   }
   if (status.ok()) status = WriteOutputs(job, t, metric->lengths, report, &map);
+  status = Status(status.code(), NumberedFromOne(status.message()));
   if (status.code() == StatusCode::kInvalidInput || status.code() == StatusCode::kCancelled) {
     return status.In(job.input_con);
   }
   const std::string certificate = CertificatePath(job);
-  if (certificate.empty()) return status;
+  if (certificate.empty() || (job.certificate.empty() && status.ok())) return status;
   if (Status s = WriteFileAtomically(certificate, map.certificate.ToJson()); !s.ok()) return s;
   report << "certificate " << certificate << "\n";
   return status;

@@ -15,7 +15,31 @@ std::string MapLine(const Certificate& c) {
       distortion.quasi_conformal_max);
 }
 
+std::string ScalesLine(const EquivalenceSummary& scales) {
+  return fmt::format(
+      "scales      {} steps, angle sums to {:.1e} rad, {} Ptolemy flips, log range {:.1f}{}\n",
+      scales.scales_iterations, scales.scales_residual, scales.ptolemy_flips,
+      scales.log_scale_range, scales.doubled ? ", on the double" : "");
+}
+
+std::string ExactLine(const Certificate& c) {
+  if (!c.exact_map) return "";
+  const bool flipped = c.layout && c.layout->flipped_triangles > 0;
+  const std::string instead =
+      flipped ? "exact       instead of that at the mesh's vertices, which has flipped triangles\n"
+              : "";
+  return instead + fmt::format(
+                       "exact       quasi-conformal {:.5f} mean {:.4g} max, {:.2f} faces for one "
+                       "of the input, {} "
+                       "at most\n",
+                       c.exact_map->exact_quasi_conformal_mean,
+                       c.exact_map->exact_quasi_conformal_max, c.exact_map->exact_faces_ratio,
+                       c.exact_map->exact_faces_worst);
+}
+
 std::string SolveLines(const Certificate& c) {
+  if (c.equivalence) return ScalesLine(*c.equivalence);
+  if (!c.angle_fit) return "";  // nothing was solved: a flat metric, a single triangle
   const AngleFitSummary angles = c.angle_fit.value_or(AngleFitSummary());
   const RadiiSummary radii = c.radii.value_or(RadiiSummary());
   if (angles.epsilon == 0) {
@@ -41,6 +65,24 @@ std::string ConeLines(const Certificate& c) {
         "cut         {} cones, {} seams, length {:.2f}, rotation {:.1e} rad, gap {:.1e}\n", cones,
         c.seams->seams, c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
         c.seams->seam_gap);
+  }
+  if (c.holonomy && c.rotations) {
+    text += fmt::format(
+        "rotations   {} along loops, to {:.1e} rad what was asked for; {:.1e} rad were left to the "
+        "angles\n",
+        c.rotations->rotations.size(), c.holonomy->holonomy_miss, c.holonomy->holonomy_miss_before);
+  }
+  if (c.layout && c.layout->further_cut_edges.value_or(0) > 0) {
+    text += fmt::format(
+        "cut         {} edges as given and {} beyond, since those left no disk or cones inside\n",
+        *c.layout->given_cut_edges, *c.layout->further_cut_edges);
+  }
+  if (c.cone_rounding) {
+    text += fmt::format(
+        "cones       {} rounded by up to {:.1e} pi, since the file's digits miss Gauss-Bonnet by "
+        "{:.1e} pi\n",
+        c.cone_rounding->cones_rounded, c.cone_rounding->cone_rounding_largest / kPi,
+        c.cone_rounding->cone_sum_missed / kPi);
   }
   if (c.cone_budget) {
     text += fmt::format("cones       {} instead of {}, since fewer cannot add up as they must\n",
@@ -83,6 +125,37 @@ std::string LadderLine(const Certificate& c) {
                      c.ladder->since, c.ladder->rungs_tried);
 }
 
+std::string InjectivityLine(const Certificate& c) {
+  if (!c.injectivity) return "";
+  const InjectivitySummary& done = *c.injectivity;
+  if (done.made_by == "curvature") {
+    return fmt::format(
+        "injective   by its boundary, whose angle sums changed by up to {:.2f} rad\n",
+        done.boundary_turned.value_or(0));
+  }
+  if (done.made_by.empty()) return "injective   not, by any stage: see the certificate\n";
+  return fmt::format("injective   in {} charts, side by side\n", done.charts);
+}
+
+std::string PeriodicLine(const Certificate& c) {
+  if (!c.periodic) return "";
+  const PeriodicSummary& periodic = *c.periodic;
+  if (periodic.modulus_imaginary) {
+    return fmt::format("torus       tau {:.12g} + {:.12g} i, seams off by {:.1e} before exact\n",
+                       periodic.modulus_real.value_or(0), *periodic.modulus_imaginary,
+                       periodic.period_mismatch);
+  }
+  if (periodic.inner_radius) {
+    return fmt::format(
+        "annulus     modulus {:.12g}, inner radius {:.12g}, off the circles {:.1e}\n",
+        periodic.annulus_modulus.value_or(kUnset), *periodic.inner_radius,
+        periodic.circle_error.value_or(kUnset));
+  }
+  return fmt::format("strip       modulus {:.12g}, period {:.12g}\n",
+                     periodic.annulus_modulus.value_or(kUnset),
+                     periodic.strip_period.value_or(kUnset));
+}
+
 /// What single precision makes of the map, and areas that range far.
 std::string RangeLine(const Certificate& c) {
   const int vanishing = c.layout ? c.layout->float32_vanishing_triangles.value_or(0) : 0;
@@ -96,14 +169,49 @@ std::string RangeLine(const Certificate& c) {
 }
 
 std::string PlanarSummary(const Certificate& c) {
-  std::string text = SolveLines(c) + MapLine(c) + ConeLines(c) + LadderLine(c) + RangeLine(c);
+  std::string text = SolveLines(c) + MapLine(c) + InjectivityLine(c) + ExactLine(c) + ConeLines(c) +
+                     LadderLine(c) + RangeLine(c);
   if (c.map_refinement) {
     text +=
         fmt::format("refinement  {} steps, objective {:.6g} to {:.6g}\n",
                     c.map_refinement->map_refinement_steps, c.map_refinement->map_refinement_before,
                     c.map_refinement->map_refinement_after);
   }
-  return text + DomainLines(c);
+  return text + DomainLines(c) + PeriodicLine(c);
+}
+
+/// "mean 1.0021 max 1.2" of a map, else why there is none.
+std::string ComponentLine(const Certificate& c) {
+  const ComponentSummary of = c.component.value_or(ComponentSummary());
+  const std::string name = fmt::format("{} {} from face {} on: ", of.faces,
+                                       of.faces == 1 ? "face" : "faces", of.first_face + 1);
+  if (c.layout && c.distortion) {
+    return fmt::format("component   {}quasi-conformal {:.5f} mean {:.4g} max{}\n", name,
+                       c.distortion->quasi_conformal_mean, c.distortion->quasi_conformal_max,
+                       c.message.empty() ? "" : "; " + c.message);
+  }
+  return fmt::format("no map      {}{}\n", name, c.message);
+}
+
+/// Of few components a line each, of many those that failed.
+std::string SeveralSummary(const Certificate& c) {
+  constexpr int kListed = 10;
+  const auto& components = c.components;
+  const bool all = static_cast<int>(components.size()) <= kListed;
+  std::string text;
+  int failed = 0, listed = 0;
+  for (const Certificate& part : components) {
+    const bool has_map = part.layout && part.distortion;
+    if (!has_map) ++failed;
+    if ((has_map && !all) || listed >= kListed) continue;
+    text += ComponentLine(part);
+    ++listed;
+  }
+  text +=
+      fmt::format("components  {} mapped, {} without a map, {} patches on {:.0f} % of the square\n",
+                  static_cast<int>(components.size()) - failed, failed, c.atlas->atlas_patches,
+                  100 * c.atlas->area_used);
+  return text + MapLine(c) + ExactLine(c) + ConeLines(c) + RangeLine(c);
 }
 
 std::string SphereSummaryText(const Certificate& c) {
@@ -125,6 +233,7 @@ std::string SphereSummaryText(const Certificate& c) {
 }  // namespace
 
 std::string Summary(const Certificate& c) {
+  if (!c.components.empty()) return SeveralSummary(c);
   return c.sphere ? SphereSummaryText(c) : PlanarSummary(c);
 }
 

@@ -11,14 +11,32 @@
 namespace cirque {
 namespace {
 
-constexpr std::size_t kIndent = 31;
+constexpr char kHelp[] = "help";
 
 bool Contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// "=WORD" and the like.
+/// All names, as UnknownName has them, would fill the screen.
+std::string UnknownFlag(const std::string& name, const std::vector<std::string>& known) {
+  const std::string nearest = NearestWord(name, known);
+  const std::string hint = nearest.empty()
+                               ? "; see --help=all"
+                               : fmt::format("; did you mean '{}'? See --help", nearest);
+  return fmt::format("unknown flag '{}'{}", name, hint);
+}
+
+/// A boolean's value as people write it.
+std::string Boolean(const std::string& text) {
+  if (Contains({"1", "t", "yes", "y"}, text)) return "true";
+  if (Contains({"0", "f", "no", "n"}, text)) return "false";
+  return text;
+}
+
+}  // namespace
+
 std::string ValueName(const OptionInfo& option) {
+  if (option.unit == kFileUnit) return "=FILE";
   switch (option.kind) {
     case OptionKind::kBoolean:
       return "";
@@ -34,24 +52,15 @@ std::string ValueName(const OptionInfo& option) {
   return "";
 }
 
-std::string HelpEntry(const OptionInfo& option) {
+std::string Meaning(const OptionInfo& option) {
   std::string text = option.help;
-  if (!option.unit.empty()) text += fmt::format(" [{}]", option.unit);
+  if (!option.unit.empty() && option.unit != kFileUnit) text += fmt::format(" [{}]", option.unit);
   if (!option.words.empty()) text += "; one of " + Join(option.words);
   if (!option.default_text.empty() && option.default_text != "false") {
     text += "; default " + option.default_text;
   }
-  return Wrapped("  --" + option.name + ValueName(option) + " ", text, kIndent);
-}
-
-/// A boolean's value as people write it.
-std::string Boolean(const std::string& text) {
-  if (Contains({"1", "t", "yes", "y"}, text)) return "true";
-  if (Contains({"0", "f", "no", "n"}, text)) return "false";
   return text;
 }
-
-}  // namespace
 
 /// A flag as written.
 struct CommandLine::Argument {
@@ -70,7 +79,8 @@ struct CommandLine::Argument {
 const CommandLine::Flag* CommandLine::Find(Argument* argument) const {
   const auto called = [&](const std::string& name) -> const Flag* {
     for (const Flag& flag : flags_) {
-      if (flag.info.name == name || Contains(flag.info.former, name)) return &flag;
+      const bool is_it = flag.info.name == name || Contains(flag.also, name);
+      if (is_it || Contains(flag.info.former, name)) return &flag;
     }
     return nullptr;
   };
@@ -86,9 +96,9 @@ const CommandLine::Flag* CommandLine::Find(Argument* argument) const {
 
 Status CommandLine::Set(Argument argument, const std::string* next, bool* took_next) {
   const Flag* flag = Find(&argument);
-  if (!flag) return Status::InvalidInput(UnknownName("flag", argument.name, Names()));
+  if (!flag) return Status::InvalidInput(UnknownFlag(argument.name, Names()));
   const OptionInfo& info = flag->info;
-  if (argument.name != info.name && noted_.insert(argument.name).second) {
+  if (Contains(info.former, argument.name) && noted_.insert(argument.name).second) {
     fmt::print(stderr, "note: --{} is called --{} now\n", argument.name, info.name);
   }
   if (!argument.has_value && info.kind == OptionKind::kBoolean) {
@@ -101,6 +111,7 @@ Status CommandLine::Set(Argument argument, const std::string* next, bool* took_n
     *took_next = true;
   }
   given_.insert(info.name);
+  if (info.name == kHelp) help_topic_ = argument.has_value ? argument.value : "";
   return flag->set(info.kind == OptionKind::kBoolean ? Boolean(argument.value) : argument.value);
 }
 
@@ -124,19 +135,24 @@ StatusOr<std::vector<std::string>> CommandLine::Parse(const std::vector<std::str
   return others;
 }
 
-std::string CommandLine::Help() const {
-  std::vector<std::string> groups;
-  for (const Flag& flag : flags_) {
-    if (!Contains(groups, flag.info.group)) groups.push_back(flag.info.group);
-  }
-  std::string text;
-  for (const std::string& group : groups) {
-    if (!group.empty()) text += (text.empty() ? "" : "\n") + group + ":\n";
-    for (const Flag& flag : flags_) {
-      if (flag.info.group == group) text += HelpEntry(flag.info);
-    }
-  }
-  return text;
+void CommandLine::AddQuestions() {
+  OptionInfo help, version;
+  help.name = kHelp;
+  help.help =
+      "the flags that most people need; =all: every flag; =GROUP: those of one group; =man: "
+      "the manual page, for man -l";
+  help.group = version.group = "Program";
+  version.name = "version";
+  version.help = "the version of the program";
+  version.kind = OptionKind::kBoolean;
+  const auto nothing = [](const std::string&) { return Status(); };
+  Add({help, nothing, true, {"h"}});
+  Add({version, nothing});
+}
+
+bool CommandLine::Knows(const std::string& name) const {
+  Argument argument("-" + name);
+  return Find(&argument) != nullptr;
 }
 
 std::vector<std::string> CommandLine::Names() const {
@@ -167,15 +183,15 @@ OptionInfo InfoOf(const gflags::CommandLineFlagInfo& flag) {
   return info;
 }
 
-CommandLine GflagsOf(const std::string& source, bool with_help,
-                     const std::vector<std::string>& value_optional = {},
-                     const std::map<std::string, std::string>& former = {}) {
+}  // namespace
+
+CommandLine GflagsOf(const std::string& source, const std::vector<std::string>& value_optional,
+                     const std::map<std::string, std::string>& former) {
   std::vector<gflags::CommandLineFlagInfo> all;
   gflags::GetAllFlags(&all);
   CommandLine flags;
   for (const gflags::CommandLineFlagInfo& flag : all) {
-    const bool is_own = flag.filename.find(source) != std::string::npos;
-    if (!is_own && !(with_help && flag.name == "help")) continue;
+    if (flag.filename.find(source) == std::string::npos) continue;
     OptionInfo info = InfoOf(flag);
     for (const auto& [once, now] : former) {
       if (now == flag.name) info.former.push_back(once);
@@ -185,17 +201,8 @@ CommandLine GflagsOf(const std::string& source, bool with_help,
     };
     flags.Add({info, set, Contains(value_optional, flag.name)});
   }
+  flags.AddQuestions();
   return flags;
 }
-
-}  // namespace
-
-StatusOr<std::vector<std::string>> ParseFlags(int argc, char** argv, const std::string& source,
-                                              const std::vector<std::string>& value_optional,
-                                              const std::map<std::string, std::string>& former) {
-  return GflagsOf(source, true, value_optional, former).Parse({argv + 1, argv + argc});
-}
-
-std::string FlagHelp(const std::string& source) { return GflagsOf(source, false).Help(); }
 
 }  // namespace cirque

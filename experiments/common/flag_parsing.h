@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ class CommandLine {
   struct Flag {
     OptionInfo info;  ///< its name without dashes
     std::function<Status(const std::string& text)> set;
-    bool value_optional = false;  ///< whether it is "-" when it is given without "=VALUE"
+    bool value_optional = false;         ///< whether it is "-" when it is given without "=VALUE"
+    std::vector<std::string> also = {};  ///< other names that it has: "h" for help
   };
 
   /// A flag for each option of the table, which sets it in `target`. @pre both outlive this.
@@ -41,17 +43,23 @@ class CommandLine {
 
   void Add(Flag flag) { flags_.push_back(std::move(flag)); }
 
+  /// --help, --help=TOPIC, -h and --version, as AnswerQuestions (manual.h) takes them.
+  void AddQuestions();
+
   /// Sets what the arguments name; returns the others.
   StatusOr<std::vector<std::string>> Parse(const std::vector<std::string>& arguments);
 
   /// Whether Parse has met this flag.
   bool IsGiven(const std::string& name) const { return given_.contains(name); }
 
-  /// An entry for each flag, under the headings of their groups: name, help, values, default. Lines
-  /// have at most 100 columns.
-  std::string Help() const;
+  /// The topic that --help was given; "" without one, nothing where it was not asked.
+  const std::optional<std::string>& help_topic() const { return help_topic_; }
 
+  const std::vector<Flag>& flags() const { return flags_; }
   std::vector<std::string> Names() const;
+
+  /// Whether some flag is called like that, by whatever name.
+  bool Knows(const std::string& name) const;
 
  private:
   struct Argument;
@@ -60,19 +68,23 @@ class CommandLine {
   Status Set(Argument argument, const std::string* next, bool* took_next);
 
   std::vector<Flag> flags_;
+  std::optional<std::string> help_topic_;
   std::set<std::string> given_, noted_;
 };
 
-/// The same for the gflags that a program defines in its own sources; `source` is a part of their
-/// paths, "experiments/run_experiment/". gflags itself would end the process with status 1 on the
-/// first mistake. `--help` is set and left to the program. `former`: names that flags had once, and
-/// have now.
-StatusOr<std::vector<std::string>> ParseFlags(
-    int argc, char** argv, const std::string& source,
-    const std::vector<std::string>& value_optional = {},
-    const std::map<std::string, std::string>& former = {});
+/// The unit of texts that are names of files.
+inline constexpr char kFileUnit[] = "file";
 
-/// One entry for each of the program's gflags: name, help, default.
-std::string FlagHelp(const std::string& source);
+/// "=FILE", "=WORD", "=NUMBER" and the like; "" of a boolean.
+std::string ValueName(const OptionInfo& option);
+
+/// What a flag means, may be and is by default, in one line.
+std::string Meaning(const OptionInfo& option);
+
+/// The gflags that a program defines in its own sources, and the questions; `source` is a part of
+/// their paths, "experiments/run_experiment/". gflags itself would end the process with status 1 on
+/// the first mistake. `former`: names that flags had once, and have now.
+CommandLine GflagsOf(const std::string& source, const std::vector<std::string>& value_optional = {},
+                     const std::map<std::string, std::string>& former = {});
 
 }  // namespace cirque

@@ -17,7 +17,8 @@
 
 #include <glog/logging.h>
 
-#include "experiments/common/blas_threads.h"
+#include "cirque/linear/blas_threads.h"
+
 #include "experiments/common/process.h"
 
 namespace cirque {

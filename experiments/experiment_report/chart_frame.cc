@@ -1,10 +1,13 @@
 #include "experiments/experiment_report/chart_frame.h"
 
+#include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "experiments/experiment_report/html.h"
+#include "experiments/common/map_view/html.h"
 
 namespace cirque::experiment_report {
 namespace {
@@ -15,13 +18,48 @@ constexpr double kLeft = 62, kRight = 24, kTop = 12, kBottom = 46;
 constexpr double kMarkerSize = 3.6;
 constexpr int kColours = 8, kShapes = 4;
 
+/// The parts of a name, which commas divide.
+std::vector<std::string> PartsOf(const std::string& name) {
+  std::vector<std::string> parts(1);
+  for (const char c : name) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+/// The names without the parts that all of them have; whole where one would be left without any.
+SeriesNames WhatVaries(const SeriesNames& series) {
+  if (series.size() < 2) return series;
+  std::map<std::string, std::size_t> uses;
+  for (const std::string& name : series) {
+    const std::vector<std::string> parts = PartsOf(name);
+    for (const std::string& part : std::set<std::string>(parts.begin(), parts.end())) ++uses[part];
+  }
+  SeriesNames varying;
+  for (const std::string& name : series) {
+    std::string own;
+    for (const std::string& part : PartsOf(name)) {
+      if (uses[part] < series.size()) own += (own.empty() ? "" : ",") + part;
+    }
+    if (own.empty()) return series;
+    varying.push_back(std::move(own));
+  }
+  return varying;
+}
+
 std::string Legend(const SeriesNames& series) {
   if (series.size() == 1 && series[0].empty()) return "";
+  const SeriesNames names = WhatVaries(series);
   std::string legend = "<div class=\"legend\">";
   for (std::size_t i = 0; i < series.size(); ++i) {
     legend += fmt::format(
-        "<span><svg viewBox=\"-6 -6 12 12\" width=\"12\" height=\"12\">{}</svg>{}</span>",
-        Marker(static_cast<int>(i), 0, 0, ""), Escape(series[i]));
+        "<button type=\"button\" aria-pressed=\"true\" data-series=\"n{}\" title=\"{}\"><svg "
+        "viewBox=\"-6 -6 12 12\" width=\"12\" height=\"12\">{}</svg>{}</button>",
+        i, Escape(series[i]), Marker(static_cast<int>(i), 0, 0, ""), Escape(names[i]));
   }
   // The marks of a legend stand for no run.
   for (std::size_t at; (at = legend.find("class=\"mark ")) != std::string::npos;) {
@@ -89,7 +127,7 @@ std::string EmptyFigure(const ChartText& text, const std::string& reason) {
 
 std::string MarkClass(int series, const std::string& further) {
   const char* again = series < kColours ? "" : " again";
-  return fmt::format("class=\"mark s{}{}{}\"", series % kColours, again, further);
+  return fmt::format("class=\"mark s{}{} n{}{}\"", series % kColours, again, series, further);
 }
 
 std::string TitleElement(const std::string& title) {

@@ -10,7 +10,8 @@ namespace cirque::experiment_report {
 /// What a chart is called and what its axes are. Charts are HTML figure elements with an inline SVG
 /// that takes its colours from the page's style sheet: series i has the class "s" + i mod 8, from
 /// the ninth on also "again" (lines are dashed), and points of every series have one of 4 shapes.
-/// Every mark has the class "mark" and a title for the pointer.
+/// Every mark has the classes "mark" and "n" with i, and a title for the pointer. The legend names
+/// what the series differ in; its buttons hide and show them.
 struct ChartText {
   std::string title;
   std::string x_label, y_label;

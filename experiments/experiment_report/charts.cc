@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "experiments/experiment_report/html.h"
+#include "experiments/common/map_view/html.h"
 
 namespace cirque::experiment_report {
 namespace {

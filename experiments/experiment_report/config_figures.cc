@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/map_view/html.h"
 #include "experiments/common/records.h"
 #include "experiments/experiment_report/charts.h"
 #include "experiments/experiment_report/figures.h"
-#include "experiments/experiment_report/html.h"
 
 namespace cirque::experiment_report {
 namespace {

@@ -1,6 +1,7 @@
 #include "experiments/experiment_report/figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <set>
@@ -8,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/map_view/html.h"
 #include "experiments/common/process.h"
 #include "experiments/experiment_report/chart_frame.h"
 #include "experiments/experiment_report/charts.h"
-#include "experiments/experiment_report/html.h"
 
 namespace cirque::experiment_report {
 namespace {
@@ -90,27 +91,42 @@ std::string DistortionScatter(const std::vector<Run>& maps) {
                       methods.names(), points);
 }
 
+/// How many of a method's maps have at most so much: lines can be told apart where bars cover each
+/// other.
 template <class Get>
-std::string Histogram(const std::vector<Run>& maps, const std::string& title,
-                      const std::string& label, Get value) {
+std::string Distribution(const std::vector<Run>& maps, const std::string& title,
+                         const std::string& label, Get value) {
   const Series methods = Methods(maps);
-  std::vector<Sample> samples;
+  std::vector<std::vector<double>> samples(methods.names().size());
   std::vector<double> shown;
   for (const Run& run : maps) {
-    shown.push_back(value(run));
-    samples.push_back({methods.Of(run.method), shown.back()});
+    const double own = value(run);
+    if (!std::isfinite(own)) continue;
+    shown.push_back(own);
+    samples[methods.Of(run.method)].push_back(own);
   }
-  return HistogramChart(
-      {title, label, "runs", AxisKind::kLinear, AxisKind::kWhole, LeastNote(shown)},
-      methods.names(), samples);
+  std::vector<Curve> curves;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    std::vector<double>& own = samples[s];
+    if (own.empty()) continue;
+    std::sort(own.begin(), own.end());
+    Curve curve{static_cast<int>(s), {own[0]}, {0}, methods.names()[s]};
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      curve.x.push_back(own[i]);
+      curve.y.push_back(static_cast<double>(i + 1) / static_cast<double>(own.size()));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return CurveChart({title, label, "share of maps", kLog, AxisKind::kLinear, LeastNote(shown)},
+                    methods.names(), curves, true);
 }
 
-std::string Histograms(const std::vector<Run>& maps) {
-  return Histogram(maps, "Angle distortion, mean", "mean quasi-conformal ratio - 1",
-                   [](const Run& run) { return Excess(run, "quasi_conformal_mean"); }) +
-         Histogram(maps, "Angle distortion, maximum", "largest quasi-conformal ratio - 1",
-                   [](const Run& run) { return Excess(run, "quasi_conformal_max"); }) +
-         Histogram(maps, "Area distortion", "log area ratio, root mean square", AreaDistortion);
+std::string Distributions(const std::vector<Run>& maps) {
+  return Distribution(maps, "Angle distortion, mean", "mean quasi-conformal ratio - 1",
+                      [](const Run& run) { return Excess(run, "quasi_conformal_mean"); }) +
+         Distribution(maps, "Angle distortion, maximum", "largest quasi-conformal ratio - 1",
+                      [](const Run& run) { return Excess(run, "quasi_conformal_max"); }) +
+         Distribution(maps, "Area distortion", "log area ratio, root mean square", AreaDistortion);
 }
 
 /// A failed attempt at a mesh takes forever; an infeasibility certificate is no solution.
@@ -194,7 +210,7 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
   std::vector<Run> maps;
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(maps),
                [](const Run& run) { return run.IsOk(); });
-  return TimeScatter(maps) + ProfileChart(runs) + Histograms(maps) + DistortionScatter(maps) +
+  return TimeScatter(maps) + ProfileChart(runs) + Distributions(maps) + DistortionScatter(maps) +
          ConvergenceChart(runs, "angles", "Convergence of the angle fit",
                           [](const Run& run) { return run.angle_solver; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -50,12 +51,15 @@ std::string ConfigFiguresJson(const std::vector<ConfigFigure>& figures,
                               const std::vector<Run>& runs);
 
 /// All charts of a study, one after the other as HTML: time against triangles, performance
-/// profiles, distortion histograms, area against angle distortion, convergence of both solves.
+/// profiles, distributions of distortion, area against angle distortion, convergence of both solves.
 std::string FiguresHtml(const std::vector<Run>& runs);
 
 /// Has figures.py draw the tables as PDF files beside them, and says which. Error: no python3 or no
 /// matplotlib, or what the script says.
 Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json,
                         const std::string& figures_json);
+
+/// The Python that draws figures for papers, embedded.
+extern const std::string_view kFiguresScript;
 
 }  // namespace cirque::experiment_report

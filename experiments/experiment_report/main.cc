@@ -11,6 +11,7 @@
 #include "cirque/core/atomic_file.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/manual.h"
 #include "experiments/common/program.h"
 #include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/flat_tables.h"
@@ -19,7 +20,6 @@
 DEFINE_string(output, "", "where to write the page; empty: RESULTS_DIR/report.html");
 DEFINE_bool(pdf, false, "figures for papers too, as PDF, by Python's matplotlib");
 DEFINE_double(max_megabytes, 15, "maps that would make the page larger than this are left out");
-DECLARE_bool(help);
 
 namespace cirque::experiment_report {
 namespace {
@@ -27,16 +27,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kSource[] = "experiments/experiment_report/";
-constexpr char kUsage[] =
-    "experiment_report [FLAGS] RESULTS_DIR\n"
-    "Writes the results of an experiment, finished or under way, as report.html, one page that\n"
-    "needs no other file; beside it report.csv and report.json (a row a run), convergence.csv and\n"
-    "convergence.json (a row an iteration), report_figures.json (the points of the figures that "
-    "the\n"
-    "config asks for).\n\n";
 constexpr int kBadInput = 2;
 constexpr double kMegabyte = 1e6;
 constexpr double kWithoutMaps = 1;  // [MB] of the page left for all else
+
+Manual ProgramManual() {
+  return {"experiment_report",
+          "writes the results of an experiment, finished or under way, as one page and as tables",
+          {{"[FLAGS] RESULTS_DIR", "RESULTS_DIR/report.html, which needs no other file"}},
+          {"Beside it: report.csv and report.json (a row a run), convergence.csv and "
+           "convergence.json (a row an iteration), report_figures.json (the points of the figures "
+           "that the config asks for)."},
+          {{"0", "written"}, {"2", "bad input, or the machine failed"}}};
+}
 
 int Refuse(const Status& status) {
   fmt::print(stderr, "experiment_report: {}\n", status.message());
@@ -75,12 +78,10 @@ Status WriteReport(const std::string& folder, const fs::path& page) {
 }
 
 int Main(int argc, char** argv) {
-  const StatusOr<std::vector<std::string>> arguments = ParseFlags(argc, argv, kSource);
+  CommandLine line = GflagsOf(kSource);
+  const StatusOr<std::vector<std::string>> arguments = line.Parse({argv + 1, argv + argc});
   if (!arguments.ok()) return Refuse(arguments.status());
-  if (FLAGS_help) {
-    fmt::print("{}{}", kUsage, FlagHelp(kSource));
-    return 0;
-  }
+  if (const auto answered = AnswerQuestions(ProgramManual(), line, *arguments)) return *answered;
   if (arguments->size() != 1) {
     return Refuse(
         Status::InvalidInput("usage: experiment_report [FLAGS] RESULTS_DIR (see --help)"));

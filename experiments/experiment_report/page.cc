@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/map_view/html.h"
+#include "experiments/common/map_view/map_payload.h"
 #include "experiments/experiment_report/figures.h"
-#include "experiments/experiment_report/html.h"
-#include "experiments/experiment_report/map_payload.h"
 
 namespace cirque::experiment_report {
 namespace {
@@ -30,24 +30,24 @@ std::string MapsHtml(const ShownMaps& maps) {
   return html;
 }
 
-std::string Navigation(bool failures) {
-  std::string html =
-      "<nav><a href=\"#summary\">Summary</a><a href=\"#figures\">Figures</a>"
-      "<a href=\"#maps\">Maps</a><a href=\"#table\">Runs</a>";
+std::string Navigation(bool comparison, bool failures) {
+  std::string html = "<nav><a href=\"#summary\">Summary</a>";
+  if (comparison) html += "<a href=\"#comparison\">Methods</a>";
+  html += "<a href=\"#figures\">Figures</a><a href=\"#maps\">Maps</a><a href=\"#table\">Runs</a>";
   if (failures) html += "<a href=\"#failures\">Without a map</a>";
   return html + "</nav>\n";
-}
-
-std::string Script(const std::string& attributes, const std::string& content) {
-  return "<script" + attributes + ">" + content + "</script>\n";
 }
 
 std::string Body(const std::string& title, const Results& results, const ShownMaps& maps,
                  const std::vector<ConfigFigure>& figures) {
   const std::string failures = FailuresHtml(results.runs);
-  std::string html = "<header><h1>" + Escape(title) + "</h1>" + Navigation(!failures.empty()) +
-                     "</header>\n<main>\n";
-  html += Section("summary", "Summary", SummaryHtml(results));
+  const std::vector<Comparison> comparisons = CompareMethods(results.runs);
+  std::string html = "<header><h1>" + Escape(title) + "</h1>" +
+                     Navigation(!comparisons.empty(), !failures.empty()) + "</header>\n<main>\n";
+  html += Section("summary", "Summary", SummaryHtml(results, comparisons));
+  if (!comparisons.empty()) {
+    html += Section("comparison", "Methods beside each other", ComparisonsHtml(comparisons));
+  }
   html += Section("figures", "Figures",
                   "<div class=\"charts\">" + ConfigFiguresHtml(figures, results.runs) +
                       FiguresHtml(results.runs) + "</div>\n");
@@ -95,20 +95,10 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
 
 std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps,
                        const std::vector<ConfigFigure>& figures) {
-  const nlohmann::json data = {{"views", maps.views}, {"scales", ColourScales()}};
-  const std::string json = data.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n";
-  html +=
-      "<title>" + Escape(title) + "</title>\n<style>" + std::string(kStyle) + "</style></head>\n";
-  html += "<body>\n" + Body(title, results, maps, figures);
-  html += Script(" type=\"application/json\" id=\"data\"", EscapeJson(json));
-  html += Script("", std::string(kTableScript));
-  if (!maps.keys.empty()) html += Script(" type=\"module\"", std::string(kViewerScript));
-  return html + "</body></html>\n";
+  std::vector<PageScript> scripts = {{"", kTableScript}};
+  if (!maps.keys.empty()) scripts.push_back({" type=\"module\"", kViewerScript});
+  return PageHtml(title, Body(title, results, maps, figures),
+                  {{"views", maps.views}, {"scales", ColourScales()}}, scripts);
 }
 
 }  // namespace cirque::experiment_report

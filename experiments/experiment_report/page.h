@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/experiment_report/comparison.h"
 #include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/runs.h"
 
@@ -33,8 +35,8 @@ struct Verdicts {
 };
 Verdicts CountVerdicts(const std::vector<Run>& runs);
 
-/// The question, the verdicts and what the runs were made with, as HTML.
-std::string SummaryHtml(const Results& results);
+/// The question, what the comparisons answer, the verdicts and what the runs were made with, as HTML.
+std::string SummaryHtml(const Results& results, const std::vector<Comparison>& comparisons = {});
 
 /// The runs as a table that sorts by the column whose head is clicked; runs with a map that the
 /// page shows (by key) link to it.
@@ -42,5 +44,8 @@ std::string RunsHtml(const std::vector<Run>& runs, const std::vector<std::string
 
 /// The runs without a map, by outcome, each with its message; empty when there are none.
 std::string FailuresHtml(const std::vector<Run>& runs);
+
+/// The scripts that sort tables and that hide and show series, embedded.
+extern const std::string_view kTableScript;
 
 }  // namespace cirque::experiment_report

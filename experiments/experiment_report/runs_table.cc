@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/map_view/html.h"
 #include "experiments/common/records.h"
-#include "experiments/experiment_report/html.h"
 #include "experiments/experiment_report/page.h"
 
 namespace cirque::experiment_report {

@@ -6,8 +6,8 @@
 
 #include "cirque/core/text.h"
 
+#include "experiments/common/map_view/html.h"
 #include "experiments/common/records.h"
-#include "experiments/experiment_report/html.h"
 #include "experiments/experiment_report/page.h"
 
 namespace cirque::experiment_report {
@@ -85,11 +85,14 @@ Verdicts CountVerdicts(const std::vector<Run>& runs) {
   return verdicts;
 }
 
-std::string SummaryHtml(const Results& results) {
+std::string SummaryHtml(const Results& results, const std::vector<Comparison>& comparisons) {
   const Verdicts verdicts = CountVerdicts(results.runs);
   const std::string question = Distinct(results.runs, "/provenance/question");
   std::string html;
   if (!question.empty()) html += "<p class=\"question\">" + Escape(question) + "</p>\n";
+  for (const std::string& sentence : VerdictsOf(comparisons)) {
+    html += "<p class=\"answer\">" + Escape(sentence) + "</p>\n";
+  }
   html += "<div class=\"tiles\">" + Tile("all", static_cast<int>(results.runs.size()), "runs") +
           Tile("ok", verdicts.ok, "maps") + Tile("infeasible", verdicts.infeasible, "infeasible") +
           Tile("failed", verdicts.failed, "failed") + "</div>\n";

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-#include "experiments/common/blas_threads.h"
+#include "cirque/linear/blas_threads.h"
+
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/manual.h"
 #include "experiments/common/process.h"
 #include "experiments/common/program.h"
 #include "experiments/run_experiment/config/config.h"
@@ -26,16 +28,24 @@ DEFINE_bool(markdown, false, "with --help_config: as experiments/CONFIG.md");
 DEFINE_bool(fresh, false, "make finished runs again");
 DEFINE_string(output, "", "the folder of the results, instead of the config's");
 DEFINE_bool(report, true, "write report.html, report.csv and report.json at the end");
-DECLARE_bool(help);
 
 namespace cirque {
 namespace {
 
 constexpr char kSource[] = "experiments/run_experiment/";
-constexpr char kUsage[] =
-    "run_experiment [FLAGS] CONFIG.yaml\n"
-    "Parameterizes every mesh of an experiment by every method of it and keeps what comes out.\n"
-    "Runs that are finished already are not made again.\n\n";
+
+Manual ProgramManual() {
+  return {
+      "run_experiment",
+      "maps every mesh of an experiment by every method of it and keeps what comes out",
+      {{"[FLAGS] CONFIG.yaml", "a table, a record a run in results.jsonl, and the report"},
+       {"--help_config", "every key of a config"}},
+      {"Runs that are finished already are not made again: after an interruption the same command "
+       "goes on."},
+      {{"0", "every run ended in a map or in a proof that there is none"},
+       {"1", "some run failed, or was not made"},
+       {"2", "bad input, or the machine failed"}}};
+}
 
 constexpr char kWorkerArgument[] = "--worker";
 constexpr int kMaxParallelRuns = 1024;
@@ -140,13 +150,10 @@ int Run(ExperimentConfig config) {
 
 int Main(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], kWorkerArgument) == 0) return RunWorker(ParameterizeRun);
-  const StatusOr<std::vector<std::string>> arguments =
-      ParseFlags(argc, argv, kSource, {}, {{"jobs", "parallel_runs"}});
+  CommandLine line = GflagsOf(kSource, {}, {{"jobs", "parallel_runs"}});
+  const StatusOr<std::vector<std::string>> arguments = line.Parse({argv + 1, argv + argc});
   if (!arguments.ok()) return Refuse(arguments.status());
-  if (FLAGS_help) {
-    fmt::print("{}{}", kUsage, FlagHelp(kSource));
-    return 0;
-  }
+  if (const auto answered = AnswerQuestions(ProgramManual(), line, *arguments)) return *answered;
   if (FLAGS_help_config) {
     fmt::print("{}", FLAGS_markdown ? ConfigMarkdown(ConfigSchema()) : ConfigHelp(ConfigSchema()));
     return 0;

@@ -8,13 +8,12 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/text.h"
+#include "cirque/linear/blas_threads.h"
 
-#include "experiments/common/blas_threads.h"
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/manual.h"
 #include "experiments/common/program.h"
 #include "experiments/studies/studies.h"
-
-DECLARE_bool(help);
 
 namespace cirque {
 namespace {
@@ -22,30 +21,27 @@ namespace {
 constexpr char kSource[] = "experiments/studies/";
 constexpr char kCommonSource[] = "experiments/studies/studies.cc";
 
-/// Every line but the first begins with so many blanks.
-std::string Indented(const std::string& text, int blanks) {
-  std::string indented;
-  for (const char c : text) {
-    indented += c;
-    if (c == '\n') indented.append(static_cast<std::size_t>(blanks), ' ');
-  }
-  return indented;
+Manual ProgramManual() {
+  Manual manual = {
+      "studies",
+      "answers single questions that experiments on meshes and methods cannot ask",
+      {{"NAME [FLAGS] [MESH ...]", "one study"}, {"NAME --help", "what it asks, and its flags"}},
+      {},
+      {{"0", "done"}, {"1", "interrupted"}, {"2", "bad input"}, {"3", "infeasible"}}};
+  for (const Study& study : Studies()) manual.rules.push_back(study.name + ": " + study.what);
+  return manual;
 }
 
-std::string Usage() {
-  std::string text =
-      "studies NAME [FLAGS] [MESH ...]\n"
-      "Each study asks one question; studies NAME --help explains it and its flags.\n"
-      "Exit status: 0 done, 1 interrupted, 2 bad input, 3 infeasible.\n\n";
-  for (const Study& study : Studies()) {
-    text += fmt::format("  {}\n      {}\n", study.name, Indented(study.what, 6));
-  }
-  return text;
-}
-
+/// Of one study.
 std::string Usage(const Study& study) {
-  return fmt::format("studies {} {}\n{}\n\n{}{}", study.name, study.usage, study.what,
-                     FlagHelp(study.source), FlagHelp(kCommonSource));
+  std::vector<CommandLine::Flag> flags;
+  for (const std::string& source : {study.source, std::string(kCommonSource)}) {
+    const CommandLine line = GflagsOf(source);
+    flags.insert(flags.end(), line.flags().begin(), line.flags().end());
+  }
+  std::erase_if(flags, [](const auto& flag) { return !flag.info.group.empty(); });
+  return fmt::format("studies {} {}\n{}\n\n{}", study.name, study.usage, study.what,
+                     FlagHelp(flags));
 }
 
 int Complain(const std::string& name, const Status& status) {
@@ -87,18 +83,16 @@ std::string CommandOf(int argc, char** argv) {
 }
 
 int Main(int argc, char** argv) {
-  StatusOr<std::vector<std::string>> words = ParseFlags(argc, argv, kSource);
+  CommandLine line = GflagsOf(kSource);
+  StatusOr<std::vector<std::string>> words = line.Parse({argv + 1, argv + argc});
   if (!words.ok()) return Complain("studies", words.status());
-  if (words->empty()) {
-    if (!FLAGS_help) {
-      return Complain("studies", Status::InvalidInput("which study? See studies --help"));
-    }
-    fmt::print("{}", Usage());
-    return 0;
+  if (words->empty() || line.IsGiven("version")) {
+    if (const auto answered = AnswerQuestions(ProgramManual(), line, *words)) return *answered;
+    return Complain("studies", Status::InvalidInput("which study? See studies --help"));
   }
   const StatusOr<const Study*> study = FindStudy(words->front());
   if (!study.ok()) return Complain("studies", study.status());
-  if (FLAGS_help) {
+  if (line.help_topic()) {
     fmt::print("{}", Usage(**study));
     return 0;
   }

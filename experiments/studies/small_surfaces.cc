@@ -256,7 +256,7 @@ const std::string& Pick(const std::vector<std::string>& words, Dice* dice) {
 OptionMap DrawOptions(const Domain& domain, Dice* dice) {
   OptionMap options;
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
-    if (!option.words.empty() && dice->Chance(0.15)) {
+    if (option.name != "pattern" && !option.words.empty() && dice->Chance(0.15)) {
       options[option.name] = Pick(option.words, dice);
     }
   }
@@ -297,6 +297,10 @@ MapRequest DrawRequest(const Surface& surface, Dice* dice) {
   if (has_boundary && domain.Reads("targets") && dice->Chance(0.2)) {
     request.targets = NearLimits(t, dice);
   }
+  // Last, so that what was drawn before there was a choice is drawn still.
+  const bool has_choice = domain.Reads("pattern") && request.options.refine_cones == 0 &&
+                          request.options.triangulation == SolvedTriangulation::kDelaunay;
+  if (has_choice && dice->Chance(0.2)) request.options.pattern = PatternKind::kEquivalence;
   return request;
 }
 

@@ -42,8 +42,8 @@ StatusOr<std::shared_ptr<const StudyProblem>> MakeProblem(const std::string& nam
   EnergyInput& input = problem->input;
   input.triangulation = surface.triangulation;
   input.targets = FreeBoundaryTargets(surface.triangulation);
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  input.reference = MeasureSurface(surface.triangulation, lengths).angles;
+  input.lengths = MeasureEdgeLengths(surface);
+  input.reference = MeasureSurface(surface.triangulation, input.lengths).angles;
   input.points = Directions(surface);
   input.weights.assign(input.points.size(), 1.0 / static_cast<double>(input.points.size()));
   if (Status s = FitCoherentAngles(&input); !s.ok()) return s.In(name);

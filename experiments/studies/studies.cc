@@ -34,6 +34,16 @@ const std::vector<Study>& Studies() {
        "Maps random small surfaces, made to be hard, with random options, and has every map and\n"
        "every proof that there is none judged by the verifier: results/random_surfaces.md.",
        "experiments/studies/random_surfaces.cc", RunRandomSurfaces},
+      {"any_cones", "[FLAGS]",
+       "Maps random small surfaces with random cones that Gauss-Bonnet allows, by circle "
+       "patterns,\n"
+       "by the ladder and by conformal equivalence, and counts what is left without a map:\n"
+       "results/any_cones.md.",
+       "experiments/studies/any_cones.cc", RunAnyCones},
+      {"moved_texture", "[FLAGS] MESH ...",
+       "Bakes a smooth function for one map of each mesh, moves the texture to another map and\n"
+       "holds it against the function baked there: results/moved_texture.md.",
+       "experiments/studies/moved_texture.cc", RunMovedTexture},
       {"reference_factorization", "[FLAGS] MESH ...",
        "Times one analysis and factorization of each mesh's V x V cotangent Laplacian, beside\n"
        "which the times of other programs and machines can be read. --output writes the mesh,\n"

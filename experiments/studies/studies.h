@@ -46,6 +46,12 @@ Status RunInvariance(const StudyCall& call);
 /// Maps random small surfaces and judges what comes out.
 Status RunRandomSurfaces(const StudyCall& call);
 
+/// Maps random small surfaces with random cones in several ways and counts what is left.
+Status RunAnyCones(const StudyCall& call);
+
+/// Moves textures from one map of a mesh to another.
+Status RunMovedTexture(const StudyCall& call);
+
 /// Times the factorization that every linear conformal map needs.
 Status RunReferenceFactorization(const StudyCall& call);
 

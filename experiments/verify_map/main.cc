@@ -14,9 +14,11 @@
 #include "cirque/metrics/measure_files.h"
 #include "cirque/verify/infeasibility_check.h"
 #include "cirque/verify/map_check.h"
+#include "cirque/verify/refinement_check.h"
 #include "cirque/verify/sphere_check.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/manual.h"
 #include "experiments/common/program.h"
 #include "experiments/verify_map/measures.h"
 
@@ -38,7 +40,7 @@ DEFINE_double(angle_tolerance, 1e-6, "how far an angle sum may be off 2 pi or it
 DEFINE_double(seam_tolerance, 1e-6,
               "how far the lengths of a seam's two sides may differ, relatively");
 DEFINE_string(domain, "plane",
-              "plane: OUT's texture coordinates; disk: with their boundary on the unit circle, in\n"
+              "plane: OUT's texture coordinates; disk: with their boundary on the unit circle, in "
               "order; sphere: OUT's points");
 DEFINE_double(circle_tolerance, 1e-14, "how far a boundary vertex may be off the unit circle");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
@@ -52,8 +54,10 @@ DEFINE_int32(require_seam_rotations, 0,
              "invalid (4: seamless grids); 0: any will do");
 DEFINE_int32(max_patches, -1, "a map of more patches than this is invalid; -1: any number will do");
 DEFINE_int32(max_seam_edges, -1, "a map with more seam edges than this is invalid; -1: any number");
+DEFINE_bool(exact, false,
+            "OUT is an .obj that circle_patterns --exact wrote: judged as a refinement of IN, its "
+            "groups face_N being parts of IN's faces, then as the map of itself");
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
-DECLARE_bool(help);
 
 namespace cirque::verify {
 namespace {
@@ -63,18 +67,22 @@ constexpr int kValid = 0, kInvalid = 1, kBadInput = 2;
 /// The proof is right, no solution exists, but for targets that the certificate names itself.
 constexpr int kInfeasibleForOwnTargets = 3;
 
-const char kUsage[] =
-    "Checks a UV map, or a certificate that there is none; the verdict shares no code with what "
-    "made it.\n"
-    "  verify_map IN OUT                  is OUT, an OBJ or PLY with texture coordinates, a valid\n"
-    "                                     map of the mesh IN? Faces are found by their corners:\n"
-    "                                     OUT may be renumbered, split at seams, scaled and "
-    "shifted\n"
-    "  verify_map --domain=sphere IN OUT  are OUT's points a valid map of IN to the unit sphere?\n"
-    "  verify_map --infeasible CERT IN    does the certificate prove that IN has no coherent "
-    "angles?\n"
-    "Exit status: 0 valid map or accepted certificate, 1 invalid or rejected, 2 bad input,\n"
-    "3 a certificate that holds for targets of its own only, not for those asked about.";
+Manual ProgramManual() {
+  return {
+      "verify_map",
+      "checks a UV map, or the certificate that there is none, independently of what made it",
+      {{"IN OUT", "is OUT, a mesh with texture coordinates, a valid map of the mesh IN?"},
+       {"--domain=sphere IN OUT", "are OUT's points a valid map of IN to the unit sphere?"},
+       {"--exact IN OUT", "is OUT, a refinement of IN with texture coordinates, a valid map?"},
+       {"--infeasible CERT IN", "does the certificate prove that IN has no coherent angles?"}},
+      {"Faces are found by their corners: OUT may be renumbered, split at seams, scaled and "
+       "shifted. "
+       "The verdict shares no code with what made the map."},
+      {{"0", "valid map or accepted certificate"},
+       {"1", "invalid or rejected"},
+       {"2", "bad input"},
+       {"3", "a certificate that holds for targets of its own only, not for those asked about"}}};
+}
 
 /// The limit that a flag sets; -1 is none.
 std::optional<Index> Limit(int flag) { return flag == -1 ? std::nullopt : std::optional(flag); }
@@ -106,11 +114,19 @@ Status ReadTargetsIfGiven(const PolygonSoup& in, AngleTargets* targets) {
   return given.status();
 }
 
+/// Reads a mesh, saying what was passed over.
+StatusOr<PolygonSoup> Read(const std::string& path) {
+  StatusOr<PolygonSoup> soup = ReadMesh(path);
+  if (!soup.ok()) return soup;
+  for (const std::string& warning : soup->warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return soup;
+}
+
 int VerifyInfeasibility(const std::vector<std::string>& files) {
   const StatusOr<InfeasibilityCertificate> certificate =
       ReadInfeasibilityCertificate(FLAGS_infeasible);
   if (!certificate.ok()) return Complain(certificate.status());
-  const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
+  const StatusOr<PolygonSoup> in = Read(files[0]);
   if (!in.ok()) return Complain(in.status());
   AngleTargets targets = DefaultTargets();
   if (Status s = ReadTargetsIfGiven(*in, &targets); !s.ok()) return Complain(s);
@@ -127,8 +143,12 @@ Status Measure(const std::vector<MeasureFile>& files, const PolygonSoup& in, Map
   const bool injective = report->overlap && !report->overlap->overlaps();
   const MapMeasures measures = MeasureComplex(*report->complex, in.position, injective);
   report->quality = ToQualityFigures(measures);
+  Index& worst = report->quality->worst_triangle;
+  if (worst != kNone) worst = report->complex->mesh().face[worst];
   if (files.empty()) return Status();
-  return WriteMeasureFiles(files, in.position, report->complex->mesh().vertex, measures);
+  std::vector<Index> corners = report->complex->mesh().vertex;
+  for (Index& v : corners) v = report->complex->mesh().Origin(v);
+  return WriteMeasureFiles(files, in.position, corners, measures);
 }
 
 int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
@@ -161,10 +181,33 @@ StatusOr<VerifyOptions> OptionsOfFlags(const PolygonSoup& in) {
   return options;
 }
 
-int VerifyFiles(const std::vector<std::string>& files) {
-  const StatusOr<PolygonSoup> in = ReadMesh(files[0]);
+/// A map of a refinement of IN: whether it refines it, and whether it is a map.
+int VerifyExact(const std::vector<std::string>& files) {
+  const StatusOr<PolygonSoup> in = Read(files[0]);
   if (!in.ok()) return Complain(in.status());
-  const StatusOr<PolygonSoup> out = ReadMesh(files[1]);
+  const StatusOr<MeshFile> out = ReadMeshFile(files[1]);
+  if (!out.ok()) return Complain(out.status());
+  const StatusOr<std::vector<Index>> groups = ReadGroups(out->text);
+  if (!groups.ok()) return Complain(groups.status().In(files[1]));
+  const StatusOr<RefinementReport> refinement = CheckRefinement(*in, out->soup, *groups);
+  if (!refinement.ok()) return Complain(refinement.status().In(files[1]));
+  PolygonSoup refined = out->soup;
+  refined.texture.clear();
+  refined.corner_texture.clear();
+  const StatusOr<VerifyOptions> options = OptionsOfFlags(refined);
+  if (!options.ok()) return Complain(options.status());
+  StatusOr<MapReport> report = VerifyMap(refined, out->soup, *options);
+  if (!report.ok()) return Complain(report.status());
+  report->errors.insert(report->errors.begin(), refinement->errors.begin(),
+                        refinement->errors.end());
+  if (FLAGS_json != "-") fmt::print("{}", ToText(*refinement));
+  return Conclude(*report, report->valid() ? kValid : kInvalid);
+}
+
+int VerifyFiles(const std::vector<std::string>& files) {
+  const StatusOr<PolygonSoup> in = Read(files[0]);
+  if (!in.ok()) return Complain(in.status());
+  const StatusOr<PolygonSoup> out = Read(files[1]);
   if (!out.ok()) return Complain(out.status());
   if (FLAGS_domain == "sphere") return VerifyOnSphere(*in, *out);
   const StatusOr<VerifyOptions> options = OptionsOfFlags(*in);
@@ -178,12 +221,10 @@ int VerifyFiles(const std::vector<std::string>& files) {
 }
 
 int Main(int argc, char** argv) {
-  const StatusOr<std::vector<std::string>> files = ParseFlags(argc, argv, kSource, {"json"});
+  CommandLine line = GflagsOf(kSource, {"json"});
+  const StatusOr<std::vector<std::string>> files = line.Parse({argv + 1, argv + argc});
   if (!files.ok()) return Complain(files.status());
-  if (FLAGS_help) {
-    fmt::print("{}\n\n{}", kUsage, FlagHelp(kSource));
-    return kValid;
-  }
+  if (const auto answered = AnswerQuestions(ProgramManual(), line, *files)) return *answered;
   const std::vector<std::string> domains = {"plane", "disk", "sphere"};
   if (std::find(domains.begin(), domains.end(), FLAGS_domain) == domains.end()) {
     return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, domains)));
@@ -194,7 +235,8 @@ int Main(int argc, char** argv) {
         fmt::format("{} files given; write verify_map IN OUT, or verify_map --infeasible CERT IN",
                     files->size())));
   }
-  return certificate ? VerifyInfeasibility(*files) : VerifyFiles(*files);
+  if (certificate) return VerifyInfeasibility(*files);
+  return FLAGS_exact ? VerifyExact(*files) : VerifyFiles(*files);
 }
 
 }  // namespace

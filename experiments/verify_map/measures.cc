@@ -49,9 +49,11 @@ Registry<DistortionMeasure> MeasuresWithoutOverlap() {
 
 }  // namespace
 
-MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Vector3d>& position,
+MapMeasures MeasureComplex(const UvComplex& complex, const std::vector<Eigen::Vector3d>& of_file,
                            bool injective) {
   const Triangulation t = ToTriangulation(complex.surface);
+  std::vector<Eigen::Vector3d> position;
+  for (Index v = 0; v < t.num_vertices; ++v) position.push_back(of_file[complex.mesh().Origin(v)]);
   EdgeLengths lengths;
   lengths.value.resize(t.num_edges());
   for (Index e = 0; e < t.num_edges(); ++e) {

@@ -2,7 +2,7 @@
 # beside cirqueConfig.cmake, by every project that finds the package; both set CIRQUE_CHOLMOD first.
 
 # Found by their own CMake packages.
-set(CIRQUE_PACKAGES Eigen3 Ceres fmt glog TBB)
+set(CIRQUE_PACKAGES Eigen3 Ceres fmt glog TBB ZLIB)
 
 if(CIRQUE_CHOLMOD AND NOT TARGET cirque::cholmod)
   find_path(CIRQUE_CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

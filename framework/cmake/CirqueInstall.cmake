@@ -25,5 +25,16 @@ install(FILES ${PROJECT_BINARY_DIR}/package/cirqueConfig.cmake
               ${PROJECT_BINARY_DIR}/package/cirqueConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/CirqueDependencies.cmake
         COMPONENT development DESTINATION ${CIRQUE_PACKAGE_DIR})
+# The same for who builds without CMake.
+if(CIRQUE_CHOLMOD)
+  # OpenBLAS before what Ceres brings in (CirqueDependencies.cmake).
+  set(CIRQUE_PC_LIBS "-lcholmod -Wl,--push-state,--no-as-needed -lopenblas -Wl,--pop-state")
+  set(CIRQUE_PC_CFLAGS "-DCIRQUE_CHOLMOD -I${CIRQUE_CHOLMOD_INCLUDE_DIR}")
+endif()
+# The prefix is that of where the file lies, wherever it is installed.
+file(RELATIVE_PATH CIRQUE_PC_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/cirque.pc.in ${PROJECT_BINARY_DIR}/package/cirque.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/cirque.pc COMPONENT development
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT development)

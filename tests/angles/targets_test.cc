@@ -63,13 +63,13 @@ TEST(CheckTargets, RefusesNumbersThatMeanNothing) {
 
 TEST(CheckTargets, RefusesAFullAngleAtTwoCorners) {
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(1, 2 * kPi, 2 * kPi),
-                "boundary vertex 1 has 2 corners");
-  ExpectRefused(Pillow(), FreeBoundaryTargets(Pillow()), "inner vertex 0 has 2 corners");
+                "boundary vertex 1 (0-based) has 2 corners");
+  ExpectRefused(Pillow(), FreeBoundaryTargets(Pillow()), "inner vertex 0 (0-based) has 2 corners");
 }
 
 TEST(CheckTargets, RefusesAConeOfValenceTimesPiAndAnAngleSumOfZero) {
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(0, 6 * kPi, 6 * kPi),
-                "inner vertex 0 has 6 corners, each less than pi, and must reach 6 pi");
+                "inner vertex 0 (0-based) has 6 corners, each less than pi, and must reach 6 pi");
   EXPECT_TRUE(Check(Fan(6, 0.5).triangulation, FanTargets(0, 5.99 * kPi, 6 * kPi)).ok());
   ExpectRefused(Fan(6, 0.5).triangulation, FanTargets(4, 0, 0), "vertices 4 (0-based) must be 0");
 }
@@ -80,7 +80,7 @@ TEST(CheckTargets, RefusesWhatGaussAndBonnetExclude) {
                 "take away 4 pi in all; all vertices are to be flat");
   ConeTargets cones = FreeBoundaryTargets(sphere);
   for (Index v = 0; v < 5; ++v) cones.lower[v] = cones.upper[v] = kPi;
-  ExpectRefused(sphere, cones, "add 1 pi in all; the vertices that are not flat are 0, 1, 2, 3, 4");
+  ExpectRefused(sphere, cones, "add 1 pi in all; not flat are the vertices 0, 1, 2, 3, 4");
   // With intervals: the upper ends alone must reach far enough.
   cones.upper[2] = 2 * kPi;
   EXPECT_TRUE(Check(sphere, cones).ok());

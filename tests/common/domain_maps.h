@@ -8,6 +8,13 @@
 
 namespace cirque {
 
+/// The generator of a surface of the domain's own topology.
+inline std::string GeneratorFor(const std::string& domain) {
+  if (domain == "annulus" || domain == "strip") return "annulus";
+  if (domain == "torus") return "torus";
+  return domain == "sphere" ? "blob" : "hemisphere";
+}
+
 inline MapRequest RequestFor(const std::string& domain, const DomainOptions& shape = {},
                              const ParameterizeOptions& options = {}) {
   MapRequest request;

@@ -140,4 +140,44 @@ CornerAngles AnglesOf(const Surface& surface) {
   return MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
 }
 
+PolygonSoup Together(const std::vector<PolygonSoup>& parts) {
+  PolygonSoup all;
+  for (const PolygonSoup& part : parts) {
+    const auto first = static_cast<Index>(all.position.size());
+    const Eigen::Vector3d shift(10. * all.num_polygons(), 0, 0);
+    for (const Eigen::Vector3d& p : part.position) all.position.push_back(p + shift);
+    for (Index p = 0; p < part.num_polygons(); ++p) {
+      for (Index c = part.first_corner[p]; c < part.first_corner[p + 1]; ++c) {
+        all.corner.push_back(first + part.corner[c]);
+      }
+      all.first_corner.push_back(static_cast<Index>(all.corner.size()));
+    }
+  }
+  return all;
+}
+
+PolygonSoup UncleanMesh() {
+  const PolygonSoup terrain = *GenerateMesh("bumpy_terrain", {100, 1});
+  PolygonSoup mesh = Together({terrain, *GenerateMesh("sphere", {200, 1})});
+  const auto add = [&](Index a, Index b, Index c) {
+    mesh.corner.insert(mesh.corner.end(), {a, b, c});
+    mesh.first_corner.push_back(static_cast<Index>(mesh.corner.size()));
+  };
+  const Index of_sphere = 3 * terrain.num_polygons();
+  for (const Index c : {Index{0}, of_sphere}) {
+    add(mesh.corner[c], mesh.corner[c + 1], mesh.corner[c + 2]);
+  }
+  const Surface surface = SurfaceOf(terrain);
+  const Triangulation& t = surface.triangulation;
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  for (const Index h : t.edge_halfedge) {
+    if (boundary[t.Tail(h)] || boundary[t.Tip(h)]) continue;
+    const auto top = static_cast<Index>(mesh.position.size());
+    mesh.position.push_back(mesh.position[t.Tail(h)] + Eigen::Vector3d(0, 0, 1));
+    add(t.Tail(h), t.Tip(h), top);
+    break;
+  }
+  return mesh;
+}
+
 }  // namespace cirque

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cirque/core/metric.h"
+#include "cirque/io/polygon_soup.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/mesh/surface.h"
 
@@ -55,5 +57,12 @@ Surface Moved(Surface surface, const Map& map) {
 
 /// The surface's corner angles [rad].
 CornerAngles AnglesOf(const Surface& surface);
+
+/// The meshes side by side in one soup.
+PolygonSoup Together(const std::vector<PolygonSoup>& parts);
+
+/// A terrain and a sphere, the first face of each twice, and a fin: a face on an inner edge of the
+/// terrain, which then has three.
+PolygonSoup UncleanMesh();
 
 }  // namespace cirque

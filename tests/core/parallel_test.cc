@@ -1,5 +1,6 @@
 #include "cirque/core/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <random>
@@ -25,6 +26,24 @@ TEST(Parallel, EveryTaskOnce) {
     std::vector<int> visits(n, 0);
     ParallelTasks(n, [&](int i) { ++visits[i]; });
     EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), n);
+  }
+}
+
+TEST(Parallel, AQueueBeginsInOrderAndItsPiecesHaveLoopsOfTheirOwn) {
+  for (const int threads : {1, 4}) {
+    const ThreadLimit limit(threads);
+    std::atomic<int> sum = 0;
+    std::vector<int> visits(50, 0), order;
+    ParallelQueue(50, [&](int i) {
+      ++visits[i];
+      if (threads == 1) order.push_back(i);
+      BackgroundTask aside([&sum] { ++sum; });
+      ParallelFor(3 * kParallelBlock, [&](int) { ++sum; });
+      aside.Wait();
+    });
+    EXPECT_EQ(sum, 50 * (3 * kParallelBlock + 1));
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), 50);
+    EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
   }
 }
 

@@ -7,14 +7,15 @@
 #include "cirque/cuts/edge_files.h"
 
 #include "tests/common/surfaces.h"
+#include "tests/mesh/meshes.h"
 
 namespace cirque {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// Hub 0 (in the file: 1) and rim 1 .. 6; face i (in the file: i + 1) has corners 0, i + 1, i + 2.
-class CutFile : public testing::Test {
+class CutFile : public ::testing::Test {
  protected:
   StatusOr<Cut> Parse(std::string_view text) const {
     return ParseCut("cuts.txt", text, t_, NumbersInFile(fan_));
@@ -37,7 +38,7 @@ std::vector<std::pair<Index, Index>> Ends(const Triangulation& t, const Cut& cut
 TEST_F(CutFile, ReadsEdgesWithTheFaceOnEitherSide) {
   const auto cut = Parse("# two spokes\n1 3 2\n\n  5 1 4  # from the rim to the hub\n");
   ASSERT_TRUE(cut.ok()) << cut.status().message();
-  EXPECT_THAT(Ends(t_, *cut), testing::UnorderedElementsAre(std::pair(0, 2), std::pair(0, 4)));
+  EXPECT_THAT(Ends(t_, *cut), ::testing::UnorderedElementsAre(std::pair(0, 2), std::pair(0, 4)));
   const auto from_the_right = Parse("3 1 2\n1 5 4\n");
   ASSERT_TRUE(from_the_right.ok()) << from_the_right.status().message();
   EXPECT_EQ(from_the_right->edge, cut->edge);
@@ -60,6 +61,17 @@ TEST_F(CutFile, ErrorsNameTheLine) {
   EXPECT_THAT(Refusal("2 3 1\n"), HasSubstr("cuts.txt:1: this edge lies on the boundary"));
 }
 
+TEST(CutFileOfPolygons, NamesSidesAndNoDiagonals) {
+  const Surface torus = SurfaceOf(testing::Torus());  // face 1 is the quad 1 2 5 4
+  const auto parse = [&](std::string_view text) {
+    return ParseCut("c", text, torus.triangulation, NumbersInFile(torus));
+  };
+  EXPECT_TRUE(parse("1 2 1\n2 5 1\n5 4 1\n4 1 1\n").ok());
+  const std::string both =
+      parse("1 5 1\n").status().message() + parse("4 2 1\n").status().message();
+  EXPECT_THAT(both, HasSubstr("are corners of face 1, but no side of it joins them"));
+}
+
 TEST_F(CutFile, FaceTellsMultipleEdgesApart) {
   // Two triangles glued along all three sides, twisted so that edges 0-0 are several.
   const Triangulation torus = NumberEdges(1, {0, 0, 0, 0, 0, 0}, {3, 4, 5, 0, 1, 2});
@@ -72,7 +84,7 @@ TEST(CutFileRoundTrip, GivesTheSameCut) {
   const Surface torus = GeneratedSurface("double_torus", 800);
   const Triangulation& t = torus.triangulation;
   const Cut cut = *CutGraph(t, MeasureEdgeLengths(torus).value, {3, 100});
-  const std::string path = testing::TempDir() + "round_trip_cut.txt";
+  const std::string path = ::testing::TempDir() + "round_trip_cut.txt";
   ASSERT_TRUE(WriteCutFile(path, t, NumbersInFile(torus), cut).ok());
   const auto back = ReadCutFile(path, t, NumbersInFile(torus));
   ASSERT_TRUE(back.ok()) << back.status().message();

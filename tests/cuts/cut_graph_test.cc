@@ -2,6 +2,7 @@
 #include "cirque/cuts/cut_graph.h"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -13,11 +14,12 @@
 #include "cirque/generators/generators.h"
 
 #include "tests/common/surfaces.h"
+#include "tests/mesh/meshes.h"
 
 namespace cirque {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Eigen::VectorXd Lengths(const Surface& surface) { return MeasureEdgeLengths(surface).value; }
 
@@ -54,7 +56,7 @@ void ExpectGoodCut(const Triangulation& t, const Cut& cut, const std::vector<Ind
   const Status status = CheckCut(t, cut, cones);
   EXPECT_TRUE(status.ok()) << status.message();
   EXPECT_THAT(std::set<Index>(cones.begin(), cones.end()),
-              testing::IsSupersetOf(LooseEnds(t, cut)));
+              ::testing::IsSupersetOf(LooseEnds(t, cut)));
 }
 
 TEST(CutGraph, OpensEveryGeneratedSurfaceToADiskThroughRandomCones) {
@@ -63,7 +65,7 @@ TEST(CutGraph, OpensEveryGeneratedSurfaceToADiskThroughRandomCones) {
     const Surface surface = GeneratedSurface(name, 600);
     const Triangulation& t = surface.triangulation;
     for (const int num_cones : {0, 1, 3, 40}) {
-      SCOPED_TRACE(testing::Message() << name << " with " << num_cones << " cones");
+      SCOPED_TRACE(::testing::Message() << name << " with " << num_cones << " cones");
       std::vector<Index> cones;
       for (int i = 0; i < num_cones; ++i) cones.push_back(random() % t.num_vertices);
       const StatusOr<Cut> cut = CutGraph(t, Lengths(surface), cones);
@@ -125,6 +127,57 @@ TEST(CutGraph, UnknownConesAreNamed) {
               HasSubstr("cones at vertices 7, -1 (0-based), but the surface has 7 vertices"));
 }
 
+TEST(CompleteCut, OpensWhatAGivenCutLeavesAndKeepsIt) {
+  const Surface torus = GeneratedSurface("torus", 600);
+  const Triangulation& t = torus.triangulation;
+  Cut slit = NoCut(t);
+  slit.edge[17] = true;
+  const StatusOr<Cut> cut = CompleteCut(t, Lengths(torus), slit, {3});
+  ASSERT_TRUE(cut.ok()) << cut.status().message();
+  EXPECT_TRUE(cut->edge[17]);
+  EXPECT_TRUE(CheckCut(t, *cut, {3}).ok());
+  EXPECT_EQ(CompleteCut(t, Lengths(torus), *cut, {3})->edge, cut->edge);
+  EXPECT_EQ(CompleteCut(t, Lengths(torus), NoCut(t), {3})->edge,
+            CutGraph(t, Lengths(torus), {3})->edge);
+}
+
+TEST(CompleteCut, OpensEveryPatchByItself) {
+  // A sphere cut in two along the edges round a vertex, with a cone in either half.
+  const Surface sphere = GeneratedSurface("sphere", 400);
+  const Triangulation& t = sphere.triangulation;
+  Cut circle = NoCut(t);
+  const Index middle = t.vertex[0];
+  for (Index h = 0; h < t.num_halfedges(); ++h)
+    circle.edge[t.edge[h]] = circle.edge[t.edge[h]] || t.vertex[h] == middle;
+  Index far = 0;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (sphere.position[v].dot(sphere.position[middle]) <
+        sphere.position[far].dot(sphere.position[middle]))
+      far = v;
+  }
+  EXPECT_FALSE(CheckCut(t, circle, {middle, far}).ok());
+  const StatusOr<Cut> cut = CompleteCut(t, Lengths(sphere), circle, {middle, far});
+  ASSERT_TRUE(cut.ok()) << cut.status().message();
+  EXPECT_EQ(ConnectedPatches(CutOpen(t, *cut)).count, 2);
+  EXPECT_TRUE(CheckCut(t, *cut, {middle, far}).ok());
+}
+
+TEST(CutGraph, NeverOpensAnEdgeOfInfiniteCost) {
+  // Quads in pairs of triangles: the torus of 3 x 3, cut without their diagonals.
+  const Surface torus = SurfaceOf(testing::Torus());
+  const Triangulation& t = torus.triangulation;
+  const std::vector<bool> inside = EdgesInsidePolygons(torus);
+  Eigen::VectorXd costs = Lengths(torus);
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    // Diagonals that it would pay to use.
+    costs[e] = inside[e] ? std::numeric_limits<double>::infinity() : 1;
+  }
+  const StatusOr<Cut> cut = CutGraph(t, costs, {0, 4, 8});
+  ASSERT_TRUE(cut.ok()) << cut.status().message();
+  ExpectGoodCut(t, *cut, {0, 4, 8});
+  for (Index e = 0; e < t.num_edges(); ++e) EXPECT_FALSE(inside[e] && cut->edge[e]);
+}
+
 TEST(CheckCut, AHandleLeftClosedIsRefused) {
   const Surface torus = GeneratedSurface("torus", 500);
   const Triangulation& t = torus.triangulation;
@@ -146,7 +199,7 @@ TEST(CheckCut, AConeOffTheCutIsRefusedByName) {
   ConeTargets targets = FreeBoundaryTargets(t);
   EXPECT_TRUE(ConeVertices(BoundaryVertices(t), targets).empty());
   targets.lower[inside] = targets.upper[inside] = kPi;
-  EXPECT_THAT(ConeVertices(BoundaryVertices(t), targets), testing::ElementsAre(inside));
+  EXPECT_THAT(ConeVertices(BoundaryVertices(t), targets), ::testing::ElementsAre(inside));
   EXPECT_THAT(CheckCut(t, NoCut(t), {inside}).message(),
               HasSubstr("cones at vertices " + std::to_string(inside) + " (0-based) lie inside"));
   EXPECT_TRUE(CheckCut(t, *CutGraph(t, Lengths(disk), {inside}), {inside}).ok());
@@ -207,7 +260,7 @@ struct SharedMesh {
   std::size_t loops;
 };
 
-class SharedCuts : public testing::TestWithParam<SharedMesh> {};
+class SharedCuts : public ::testing::TestWithParam<SharedMesh> {};
 
 TEST_P(SharedCuts, AreDisks) {
   const auto mesh = ReadSharedSurface(GetParam().name);
@@ -223,9 +276,9 @@ TEST_P(SharedCuts, AreDisks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, SharedCuts,
-                         testing::Values(SharedMesh{"cgal-cheese", 133, 0},
-                                         SharedMesh{"cgal-elephant-with-holes", 3, 106},
-                                         SharedMesh{"oded-plane_holes", 0, 27}),
+                         ::testing::Values(SharedMesh{"cgal-cheese", 133, 0},
+                                           SharedMesh{"cgal-elephant-with-holes", 3, 106},
+                                           SharedMesh{"oded-plane_holes", 0, 27}),
                          [](const auto& suite) {
                            std::string name = suite.param.name;
                            std::erase_if(name, [](char c) { return c == '-' || c == '_'; });

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/domains/domain.h"
 #include "cirque/generators/known_maps.h"
 #include "cirque/math/moebius.h"
+#include "cirque/mesh/preflight.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/certificate.h"
 
@@ -202,7 +205,7 @@ TEST(DiskDomain, LongLimbIsSpreadAndStillNotFlipped) {
   EXPECT_GT(map.certificate.disk->boundary_spread, 0);
 }
 
-TEST(DiskDomain, RefinementKeepsTheCircleAndTheCentre) {
+TEST(DiskDomain, RefinementSlidesAlongTheCircleAndKeepsTheCentre) {
   const Surface terrain = GeneratedSurface("bumpy_terrain", 600);
   ParameterizeOptions options;
   options.refine_map = "none";
@@ -214,12 +217,53 @@ TEST(DiskDomain, RefinementKeepsTheCircleAndTheCentre) {
   EXPECT_TRUE(FlippedFaces(terrain.triangulation, refined.uv).empty());
   EXPECT_EQ(refined.certificate.disk->centre_vertex, plain.certificate.disk->centre_vertex);
   EXPECT_EQ(*refined.certificate.disk->centre_error, 0);
+  ExpectDisk(terrain, refined);
+  const std::vector<Complex> before = Places(terrain, plain), after = Places(terrain, refined);
+  const auto zero = static_cast<Index>(refined.certificate.disk->angle_zero_vertex);
+  EXPECT_EQ(after[zero], 1.0);
   const std::vector<bool> boundary = BoundaryVertices(terrain.triangulation);
-  for (Index h = 0; h < terrain.triangulation.num_halfedges(); ++h) {
-    if (boundary[terrain.triangulation.vertex[h]]) {
-      EXPECT_EQ(refined.uv.value[h], plain.uv.value[h]);
+  for (Index v = 0; v < terrain.triangulation.num_vertices; ++v) {
+    if (boundary[v] && v != zero) {
+      EXPECT_NE(after[v], before[v]);
     }
   }
+}
+
+TEST(DiskDomain, RefinementKeepsABoundaryWhoseMeanIsPrescribed) {
+  const Surface terrain = GeneratedSurface("bumpy_terrain", 600);
+  DomainOptions shape;
+  shape.normalization = "boundary";
+  const SurfaceMap map = MapTo(terrain, shape);
+  EXPECT_LT(map.certificate.map_refinement->map_refinement_after,
+            map.certificate.map_refinement->map_refinement_before);
+  EXPECT_LT(map.certificate.disk->boundary_centre_of_mass, 1e-12);
+}
+
+TEST(HalfPlaneDomain, RefinementKeepsTheBoundaryRealAndInOrder) {
+  const Surface terrain = GeneratedSurface("bumpy_terrain", 600);
+  ParameterizeOptions options;
+  options.refine_map = "none";
+  const SurfaceMap plain = MustMap(terrain, RequestFor("half_plane", {}, options));
+  options.refine_map = "mips";
+  const SurfaceMap refined = MustMap(terrain, RequestFor("half_plane", {}, options));
+  const std::optional<MapRefinementSummary>& summary = refined.certificate.map_refinement;
+  ASSERT_TRUE(summary.has_value());
+  EXPECT_LT(summary->map_refinement_after, 0.99 * summary->map_refinement_before);
+  EXPECT_TRUE(FlippedFaces(terrain.triangulation, refined.uv).empty());
+  const auto pole = static_cast<Index>(refined.certificate.half_plane->pole_vertex);
+  const std::vector<Complex> before = Places(terrain, plain), after = Places(terrain, refined);
+  EXPECT_EQ(after[pole], before[pole]);
+  const Triangulation& t = terrain.triangulation;
+  int slid = 0;
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  for (const Index h : loop) {
+    const Index tail = t.Tail(h), tip = t.Tip(h);
+    if (tail == pole || tip == pole) continue;
+    EXPECT_EQ(after[tip].imag(), 0);
+    EXPECT_LT(after[tail].real(), after[tip].real());
+    slid += after[tip] != before[tip] ? 1 : 0;
+  }
+  EXPECT_GT(slid, 10);
 }
 
 TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
@@ -236,6 +280,48 @@ TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
       EXPECT_GT(place[v].imag(), 0);
     }
   }
+}
+
+Surface ATriangle() {
+  return *SurfaceFromTriangles({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+}
+
+TEST(MapToHalfPlane, ATriangleIsMappedAsItIs) {
+  // Sides 3, 4 and 5: with the right angle at infinity, or the vertex that is named.
+  for (const Index pole : {kNone, Index{1}, Index{2}}) {
+    DomainOptions shape;
+    shape.pole = pole;
+    const SurfaceMap map = MustMap(ATriangle(), RequestFor("half_plane", shape));
+    const Index at = pole == kNone ? 0 : pole;
+    const auto& uv = map.uv.value;
+    EXPECT_EQ(map.certificate.half_plane->pole_vertex, at);
+    EXPECT_GT(uv[at].y(), 1);
+    EXPECT_EQ(uv[(at + 1) % 3].y(), 0);
+    EXPECT_EQ(uv[(at + 2) % 3].y(), 0);
+    EXPECT_NEAR((uv[1] - uv[0]).norm(), 3, 1e-12);
+    EXPECT_NEAR((uv[2] - uv[0]).norm(), 4, 1e-12);
+    EXPECT_NEAR((uv[2] - uv[1]).norm(), 5, 1e-12);
+  }
+}
+
+TEST(MapToHalfPlane, TrianglesThatHaveNoRoomAreNamedByTheirFace) {
+  const Surface quad =
+      *SurfaceFromTriangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_THAT(MapSurface(quad, RequestFor("half_plane")).status().message(),
+              testing::HasSubstr("1 triangles lie beyond edges that join two boundary vertices"));
+}
+
+TEST(EveryDomain, TakesATriangleOrSaysWhyNot) {
+  for (const char* domain : {"plane", "disk", "triangle"}) {
+    EXPECT_TRUE(MapSurface(ATriangle(), RequestFor(domain)).ok()) << domain;
+  }
+  DomainOptions three;
+  three.sides = 3;
+  EXPECT_TRUE(MapSurface(ATriangle(), RequestFor("polygon", three)).ok());
+  EXPECT_THAT(MapSurface(ATriangle(), RequestFor("rectangle")).status().message(),
+              testing::HasSubstr("a polygon of 4 corners"));
+  EXPECT_THAT(MapSurface(ATriangle(), RequestFor("sphere")).status().message(),
+              testing::HasSubstr("needs a closed surface"));
 }
 
 }  // namespace

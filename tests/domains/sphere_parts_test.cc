@@ -1,13 +1,16 @@
 // The parts of a map to the sphere: poles, inversion, normalisation.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/domain.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/domains/sphere_pole.h"
 
@@ -32,6 +35,46 @@ TEST(PoleCandidates, AreDifferentVerticesWhateverTheScale) {
       Moved(blob, [](const Vector3d& x) -> Vector3d { return 4096 * x; });  // exact
   EXPECT_EQ(PoleCandidates(large, AsItIs(large), 4), poles);
   EXPECT_EQ(PoleCandidates(blob, AsItIs(blob), 1), std::vector<Index>{poles[0]});
+}
+
+/// The surface of a box 1 x 1 x length, its squares cut in two.
+Surface Box(int length) {
+  std::vector<Vector3d> points;
+  for (int k = 0; k <= length; ++k) {
+    const double z = k;
+    points.insert(points.end(), {Vector3d(0, 0, z), {1, 0, z}, {1, 1, z}, {0, 1, z}});
+  }
+  std::vector<std::array<Index, 3>> faces = {{0, 2, 1}, {0, 3, 2}};
+  for (Index k = 0; k < 4 * length; k += 4) {
+    for (Index i = 0; i < 4; ++i) {
+      const Index a = k + i, b = k + (i + 1) % 4;
+      faces.push_back({a, b, b + 4});
+      faces.push_back({a, b + 4, a + 4});
+    }
+  }
+  const Index top = 4 * length;
+  faces.push_back({top, top + 1, top + 2});
+  faces.push_back({top, top + 2, top + 3});
+  return *SurfaceFromTriangles(points, faces);
+}
+
+TEST(PredictedLogRange, OfALimbIsItsLengthOverItsRadius) {
+  // u falls by 2 pi over the circumference, 4, a unit of length; what the ends do does not grow.
+  const Surface shorter = Box(50), longer = Box(100);
+  const double grows = PredictedLogRange(AsItIs(longer), 0) - PredictedLogRange(AsItIs(shorter), 0);
+  EXPECT_NEAR(grows, 50 * kPi / 2, 1e-6);
+  EXPECT_NEAR(PredictedLogRange(AsItIs(shorter), 0), 50 * kPi / 2, 5);
+}
+
+TEST(MapToSphere, ALimbBeyondDoublesIsRefusedBeforeAnySolve) {
+  MapRequest request;
+  request.domain = "sphere";
+  Certificate failed;
+  const auto map = MapSurface(Box(600), request, {}, &failed);
+  EXPECT_EQ(map.status().code(), StatusCode::kUnrepresentable);
+  EXPECT_THAT(map.status().message(), HasSubstr("doubles cannot hold this surface on one sphere"));
+  EXPECT_FALSE(failed.angle_fit.has_value());
+  EXPECT_FALSE(failed.radii.has_value());
 }
 
 TEST(InvertedLengths, AreTheStereographicImageOfAnInscribedMesh) {

@@ -24,6 +24,7 @@ EnergyInput LargeInput() {
   input.triangulation = surface.triangulation;
   input.reference = AnglesOf(surface);
   input.coherent.value = audit_energies::RoundAngles(surface.triangulation, 3);
+  input.lengths = MeasureEdgeLengths(surface);
   input.targets = FreeBoundaryTargets(surface.triangulation);
   input.epsilon = 0.05;
   return input;

@@ -18,6 +18,7 @@
 #include "tests/common/domain_maps.h"
 #include "tests/common/surfaces.h"
 #include "tests/common/temporary_folder.h"
+#include "tests/mesh/meshes.h"
 
 namespace cirque {
 namespace {
@@ -49,6 +50,34 @@ PolygonSoup SoupOf(const Surface& surface) {
     soup.first_corner.push_back(3 * f + 3);
   }
   return soup;
+}
+
+TEST(InfeasibleMessage, NumbersAsTheFileAndTellsOfOtherRoads) {
+  MapRequest request;
+  request.options.triangulation = SolvedTriangulation::kInput;
+  const auto map = MapSurface(Kleetope(Kleetope(GeneratedSurface("bumpy_terrain", 60))), request);
+  ASSERT_EQ(map.status().code(), StatusCode::kInfeasible);
+  EXPECT_THAT(map.status().message(), ::testing::HasSubstr("other roads tried"));
+  EXPECT_THAT(map.status().message(), ::testing::Not(::testing::HasSubstr("0-based")));
+}
+
+TEST_F(InfeasibleEndToEnd, PolygonsAreNamedByTheTrianglesThatTheyWereCutInto) {
+  const PolygonSoup quads = testing::Torus();
+  ASSERT_TRUE(WriteMesh(Path("in.obj"), quads).ok());
+  ASSERT_TRUE(WriteFileAtomically(Path("a.cones"), "1 1\n").ok());  // one cone, on a torus
+  CirclePatternsJob job;
+  job.input = Path("in.obj");
+  job.output = Path("out.obj");
+  job.cones = Path("a.cones");
+  std::ostringstream report;
+  EXPECT_EQ(RunOnMesh(job, {}, report).code(), StatusCode::kInfeasible);
+  const auto checked = Check(quads, "out.certificate.json");
+  EXPECT_TRUE(checked.accepted()) << checked.Verdict();
+  EXPECT_TRUE(checked.names_triangles);
+  EXPECT_EQ(checked.num_triangles, 18);
+  EXPECT_EQ(checked.num_faces_left_out, 0);
+  const auto proof = verify::ReadInfeasibilityCertificate(Path("out.certificate.json"));
+  for (const Index face : proof->carrying_faces) EXPECT_LT(face, quads.num_polygons());
 }
 
 TEST_F(InfeasibleEndToEnd, AKleetopeByEveryMethod) {

@@ -1,6 +1,7 @@
 // circle_patterns started by mpirun: one map, whatever the number of ranks, and no rank waits for
 // ever.
 #include <complex>
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -54,7 +55,11 @@ class MpiRanks : public ::testing::Test {
 
   std::string Program(const std::string& output, const std::string& flags) const {
     return ProgramFolder() + "/circle_patterns -io " + folder_.Path("in.obj") + " -oo " +
-           folder_.Path(output) + " " + flags;
+           folder_.Path(output) + " --certificate=" +
+           std::filesystem::path(folder_.Path(output))
+               .replace_extension(".certificate.json")
+               .string() +
+           " " + flags;
   }
 
   const TemporaryFolder folder_;

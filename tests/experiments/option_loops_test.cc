@@ -1,5 +1,6 @@
 // A new option is one line in one table: every line of the tables is found as a flag, a key of
 // configs, in the help of both programs and in CONFIG.md, and does the same by each way.
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -33,6 +34,7 @@ std::string OtherValue(const OptionInfo& option) {
   if (option.name == "cones") return "greedy:target=0.5";
   if (option.name == "cone_angles") return "ranges:width=0.25";
   if (option.name == "refine_map") return "mips:steps=3";
+  if (option.name == "boundary") return "least_area:share=0.5";
   return "some_text";
 }
 
@@ -43,24 +45,36 @@ OptionMap Company(const std::string& name) {
 
 TEST(OptionLoops, EveryOptionOfTheTablesIsAFlagWithHelp) {
   CirclePatternsFlags flags;
+  const std::string help = *HelpText(ProgramManual(), flags.line(), "all");
   for (const auto& infos : {ParameterizeOptionTable().Infos(), DomainOptionTable().Infos()}) {
     for (const OptionInfo& option : infos) {
       EXPECT_THAT(flags.Names(), Contains(option.name));
-      EXPECT_THAT(flags.Help(), HasSubstr("  --" + option.name));
+      EXPECT_THAT(help, HasSubstr("  --" + option.name));
     }
   }
 }
 
 TEST(OptionLoops, HelpIsGroupedAndWithinAHundredColumns) {
-  const std::string help = CirclePatternsFlags().Help();
-  for (const char* group :
-       {"Input:\n", "Output:\n", "Domain:\n", "Solve:\n", "Cones:\n", "Cut and layout:\n"}) {
-    const std::size_t first = help.find(group);
+  const CirclePatternsFlags flags;
+  const std::string help = *HelpText(ProgramManual(), flags.line(), "all");
+  std::size_t before = 0;
+  for (const std::string group :
+       {"Files", "Shape", "Cones", "Cuts", "Solver", "Sphere", "Output", "Program"}) {
+    const std::size_t first = help.find("\n" + group + ":\n");
     ASSERT_NE(first, std::string::npos) << group;
-    EXPECT_EQ(help.find(group, first + 1), std::string::npos) << group;
+    EXPECT_GT(first, before) << group;
+    EXPECT_EQ(help.find("\n" + group + ":\n", first + 1), std::string::npos) << group;
+    before = first;
+    EXPECT_THAT(*HelpText(ProgramManual(), flags.line(), group), ::testing::StartsWith(group));
   }
-  std::istringstream lines(help);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  const std::string first_screen = *HelpText(ProgramManual(), flags.line(), "");
+  EXPECT_LE(std::count(first_screen.begin(), first_screen.end(), '\n'), 60);
+  for (const std::string& text : {help, first_screen}) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  }
+  EXPECT_THAT(HelpText(ProgramManual(), flags.line(), "cnes").status().message(),
+              HasSubstr("did you mean 'cones'?"));
 }
 
 TEST(OptionLoops, EveryOptionOfTheMethodIsAKeyInHelpAndReference) {
@@ -77,10 +91,11 @@ TEST(OptionLoops, EveryOptionOfTheMethodIsAKeyInHelpAndReference) {
 
 TEST(OptionLoops, AFlagAndAKeySetTheSame) {
   const TemporaryFolder folder;
+  const std::string costs = folder.Write("costs.txt", "");  // a config looks for it
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
     SCOPED_TRACE(option.name);
     OptionMap texts = Company(option.name);
-    texts[option.name] = OtherValue(option);
+    texts[option.name] = option.name == "edge_costs" ? costs : OtherValue(option);
     ParameterizeOptions wanted;
     ASSERT_TRUE(ParameterizeOptionTable().Set(texts, &wanted).ok());
     std::vector<std::string> arguments = {"-io", "in.obj", "-oo", "out.obj"};
@@ -115,7 +130,7 @@ TEST(CirclePatternsFlags, EveryWayToWriteAFlag) {
                   .Parse({"-io", "a.obj", "--oo=b.obj", "-epsilon", "1e-4", "--flip_back", "-oc=c",
                           "--noinversion", "--fill_holes=yes", "-domain=plane"})
                   .ok());
-  EXPECT_FALSE(flags.settings().help);
+  EXPECT_FALSE(flags.line().help_topic());
   CirclePatternsFlags plain;
   ASSERT_TRUE(plain
                   .Parse({"-io", "a.obj", "--oo=b.obj", "-epsilon", "1e-4", "--flip_back", "-oc=c",
@@ -127,7 +142,7 @@ TEST(CirclePatternsFlags, EveryWayToWriteAFlag) {
   EXPECT_EQ(job->output, "b.obj");
   EXPECT_EQ(job->options.epsilon, 1e-4);
   EXPECT_TRUE(job->flip_back);
-  EXPECT_TRUE(job->fill_holes);
+  EXPECT_TRUE(job->mesh.fill_holes);
 }
 
 TEST(CirclePatternsFlags, AllCanStandInOneFile) {

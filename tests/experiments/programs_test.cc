@@ -156,7 +156,8 @@ TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
   const std::string in = Write("in.obj", *GenerateMesh("double_torus", {800, 1}));
   const std::string out = folder_.Path("out.obj");
   const auto distortion = [&](const std::string& flags) {
-    const ProgramResult mapped = Flatten(in, out, flags);
+    const ProgramResult mapped =
+        Flatten(in, out, flags + " --certificate=" + folder_.Path("out.certificate.json"));
     EXPECT_EQ(mapped.exit_status, 0) << mapped.output;
     const ProgramResult verified = RunProgram("verify_map --json " + in + " " + out);
     EXPECT_EQ(verified.exit_status, 0) << verified.output;
@@ -167,9 +168,9 @@ TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
                refined = distortion("--refine_map=mips:steps=3");
   EXPECT_LT(refined, plain);
   EXPECT_LT(distortion("--seams=free --refine_map=quasi_conformal"), refined);
-  const ProgramResult half_plane = Flatten(in, out, "--domain=half_plane --refine_map=mips");
+  const ProgramResult half_plane = Flatten(in, out, "--domain=half_plane --cones=greedy");
   EXPECT_EQ(half_plane.exit_status, 2);
-  EXPECT_THAT(half_plane.output, HasSubstr("takes no --refine_map"));
+  EXPECT_THAT(half_plane.output, HasSubstr("takes no --cones"));
   for (const char* flag : {" --refine_map=mips", " --seams=free"}) {
     const ProgramResult layout = RunProgram("circle_patterns -ic x.con -no -oo " + out + flag);
     EXPECT_EQ(layout.exit_status, 2);
@@ -253,8 +254,9 @@ TEST_F(ProgramsTest, AnInfeasibleMeshLeavesAProofThatVerifies) {
 
 TEST_F(ProgramsTest, ACertificateHasItsNumbers) {
   const std::string in = Write("in.obj", *GenerateMesh("spherical_cap", {300, 1}));
-  ASSERT_EQ(Flatten(in, folder_.Path("out.obj")).exit_status, 0);
-  std::ifstream file(folder_.Path("out.certificate.json"));
+  const std::string certificate = folder_.Path("certificate.json");
+  ASSERT_EQ(Flatten(in, folder_.Path("out.obj"), "-certificate " + certificate).exit_status, 0);
+  std::ifstream file(certificate);
   const auto json = nlohmann::json::parse(file);
   EXPECT_EQ(json["outcome"], "ok");
   EXPECT_LE(json["values"]["radii_gradient"], 1e-9);
@@ -268,10 +270,11 @@ TEST_F(ProgramsTest, BadInputIsExitStatusTwoAndLeavesNothing) {
   const std::string out = folder_.Path("out.obj");
   for (const auto& [command, word] : std::map<std::string, std::string>{
            {"circle_patterns -oi " + in, "did you mean"},
-           {"circle_patterns -oo " + out, "-io IN is missing"},
+           {"circle_patterns -oo " + out, "no mesh is given"},
            {"circle_patterns -io " + in + " -oo " + out + " -triangulation inptu", "did you mean"},
            {"circle_patterns -io " + folder_.Path("none.obj") + " -oo " + out, "none.obj"},
-           {"circle_patterns -io " + in + " -oo " + folder_.Path("x.png"), ".obj"},
+           {"circle_patterns -io " + in + " -oo " + folder_.Path("x.png"),
+            "one of obj, off, ply, glb"},
            {"circle_patterns -io " + in + " -oo " + out + " -epsilon many", "epsilon"},
            {"verify_map " + in, "files given"},
            {"verify_map " + in + " " + folder_.Path("none.obj"), "none.obj"},
@@ -281,6 +284,18 @@ TEST_F(ProgramsTest, BadInputIsExitStatusTwoAndLeavesNothing) {
     EXPECT_THAT(result.output, HasSubstr(word)) << command;
   }
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(ProgramsTest, SeamlessMapsTurnByRightAnglesAcrossEverySeam) {
+  const std::string in = Write("double.obj", DoubleTorus({1500, 1})), out = folder_.Path("out.obj");
+  const std::string verify = "verify_map " + in + " " + out + " --require_seam_rotations=4";
+  ASSERT_EQ(RunProgram("circle_patterns " + in + " " + out).exit_status, 0);
+  EXPECT_EQ(RunProgram(verify).exit_status, 1);
+  const ProgramResult made = RunProgram("circle_patterns " + in + " " + out + " --holonomy=pi/2");
+  ASSERT_EQ(made.exit_status, 0) << made.output;
+  EXPECT_THAT(made.output, HasSubstr("rotations   4 along loops, to "));
+  const ProgramResult verified = RunProgram(verify);
+  EXPECT_EQ(verified.exit_status, 0) << verified.output;
 }
 
 TEST_F(ProgramsTest, HelpIsShownWithStatusZero) {

@@ -1,10 +1,15 @@
-// The page of experiment_report in a browser: it draws, sorts, and complains of nothing.
+// Pages and models in a browser: they are drawn, sorted, and nothing is complained of.
+#include <cstdint>
 #include <cstdlib>
 #include <regex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/generators/generators.h"
+#include "cirque/io/io.h"
+
+#include "tests/common/paths.h"
 #include "tests/common/run_program.h"
 #include "tests/experiments/report_fixtures.h"
 
@@ -92,6 +97,33 @@ report.textContent = ["PROBE", found.join("; "), "END"].join(" ");
 document.body.append(report);
 </script></body>)";
 
+// Of a page with one map: both canvases drawn, turned (the image turns on the sphere only).
+constexpr char kViewProbe[] = R"(<script type="module">
+const byId = (id) => document.getElementById(id);
+const pixels = (canvas) => {
+  const gl = canvas.getContext("webgl2"), data = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  return data;
+};
+const wait = (ready) => new Promise((done) => {
+  const look = () => (ready() ? done() : setTimeout(look, 1));
+  look();
+});
+await wait(() => [...document.querySelectorAll("canvas")].every((c) => c.dataset.faces > 0));
+const found = [byId("choose").parentElement.style.display];
+for (const canvas of document.querySelectorAll("canvas")) {
+  const before = pixels(canvas), corner = before.slice(0, 4);
+  found.push(`${canvas.id} ${before.some((c, i) => c !== corner[i % 4]) ? "drawn" : "blank"}`);
+  let red = 0;
+  for (let i = 0; i < before.length; i += 4) red += before[i] === 217 && before[i + 1] < 40;
+  found.push(red > 20 ? "flipped" : "right");
+}
+found.push(byId("caption").textContent.split(":")[0]);
+const report = document.createElement("pre");
+report.textContent = ["PROBE", found.join("; "), "END"].join(" ");
+document.body.append(report);
+</script></body>)";
+
 /// Prints the DOM after the page has run, and the browser's log.
 ProgramResult Browse(const std::string& page, const std::string& profile) {
   return RunShell(
@@ -104,13 +136,16 @@ constexpr char kNoChromium[] = "chromium is not installed (Debian: apt-get insta
 
 bool HasChromium() { return std::system("command -v chromium > /dev/null") == 0; }
 
-/// The report of that folder with the probe in it.
-std::string WriteProbed(const TemporaryFolder& folder, const std::string& probe) {
-  EXPECT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
-  std::string html = folder.Read("report.html");
+std::string WriteProbed(const TemporaryFolder& folder, std::string html, const std::string& probe) {
   html.replace(html.find("</head>"), 7, kFrames);
   html.replace(html.rfind("</body>"), 7, probe);
   return folder.Write("probed.html", html);
+}
+
+/// The report of that folder with the probe in it.
+std::string WriteProbed(const TemporaryFolder& folder, const std::string& probe) {
+  EXPECT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
+  return WriteProbed(folder, folder.Read("report.html"), probe);
 }
 
 /// What the probe wrote; the DOM's beginning where it wrote nothing.
@@ -152,6 +187,76 @@ TEST(ReportInBrowserSlow, ALinkToAMapShowsIt) {
   const std::string dom = Browse(page + "#map-b-m", folder.Path("profile")).output;
   EXPECT_EQ(Found(dom), "b - m; in sight; #map-a-m");
   EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
+}
+
+TEST(ViewInBrowserSlow, DrawsThePlaneAndTheSphere) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  for (const std::string domain : {"plane", "sphere"}) {
+    const TemporaryFolder folder;
+    const std::string in = folder.Path("in.obj");
+    ASSERT_TRUE(WriteMesh(in, *GenerateMesh("blob", {800, 1})).ok());
+    ASSERT_EQ(RunProgram("circle_patterns --domain=" + domain + " " + in + " " +
+                         folder.Path("out.obj") + " --view=" + folder.Path("view.html"))
+                  .exit_status,
+              0);
+    const std::string page = WriteProbed(folder, folder.Read("view.html"), kViewProbe);
+    const std::string dom = Browse(page, folder.Path("profile")).output;
+    EXPECT_EQ(Found(dom), "none; surface drawn; right; image drawn; right; Image " +
+                              std::string(domain == "plane" ? "in the plane" : "on the sphere"));
+    EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
+  }
+}
+
+void AddNumber(std::uint32_t number, std::string* bytes) {
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes->push_back(static_cast<char>(number >> shift & 0xff));
+  }
+}
+
+void AddChunk(const std::string& name, std::string content, char filler, std::string* glb) {
+  content.resize((content.size() + 3) / 4 * 4, filler);
+  AddNumber(static_cast<std::uint32_t>(content.size()), glb);
+  *glb += name + content;
+}
+
+/// One triangle, or nothing that glTF allows.
+std::string TriangleGlb(const std::string& version) {
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::string chunks, glb = "glTF";
+  AddChunk("JSON",
+           "{\"asset\":{\"version\":\"" + version +
+               "\"},\"scenes\":[{\"nodes\":[0]}],\"scene\":0,"
+               "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+               "{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+               "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}],"
+               "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+               "\"buffers\":[{\"byteLength\":36}]}",
+           ' ', &chunks);
+  AddChunk(std::string("BIN\0", 4), std::string(reinterpret_cast<const char*>(corners), 36), '\0',
+           &chunks);
+  AddNumber(2, &glb);
+  AddNumber(static_cast<std::uint32_t>(12 + chunks.size()), &glb);
+  return glb + chunks;
+}
+
+// three.js is not fetched by a test: CIRQUE_THREE names the folder of its npm package.
+TEST(ViewGlbSlow, ShowsAModelAndSaysWhereThereIsNone) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  if (std::getenv("CIRQUE_THREE") == nullptr) GTEST_SKIP() << "CIRQUE_THREE is not set";
+  const TemporaryFolder folder;
+  const std::string script = ProjectPath("experiments/scripts/view_glb.mjs");
+  const auto view = [&](const std::string& version) {
+    return RunShell("node " + script + " " + folder.Write("a.glb", TriangleGlb(version)) + " " +
+                    folder.Path("a.png"));
+  };
+  const ProgramResult shown = view("2.0");
+  EXPECT_EQ(shown.exit_status, 0) << shown.output;
+  EXPECT_THAT(shown.output, HasSubstr("{\"meshes\":1,\"triangles\":1,\"images\":0,"
+                                      "\"texture_coordinates\":false"));
+  EXPECT_EQ(folder.Read("a.png").substr(1, 3), "PNG");
+  const ProgramResult wrong = view("1.0");
+  EXPECT_EQ(wrong.exit_status, 1) << wrong.output;
+  EXPECT_THAT(wrong.output, HasSubstr("view_glb: "));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(ScatterChart, OneMarkARecordAndTheRestIsCounted) {
   const ChartText text{"T", "x", "y", AxisKind::kLogarithmic, AxisKind::kLogarithmic, ""};
   const std::string html = ScatterChart(text, {"one", "two"}, points);
   EXPECT_EQ(Count(html, kMark), 37);
-  EXPECT_EQ(Count(html, "class=\"mark s1\""), 18);
+  EXPECT_EQ(Count(html, "class=\"mark s1 n1\""), 18);
   EXPECT_THAT(html, HasSubstr("2 of 39 runs are not shown"));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
 }
@@ -109,12 +109,24 @@ TEST(ScatterChart, SeriesThatShareAColourDifferInShape) {
   }
   const std::string html = ScatterChart({"t", "x", "y"}, names, points);
   std::vector<std::string> marks;  // of the series 0 and 8, without the title
-  for (const std::string mark : {"class=\"mark s0\" ", "class=\"mark s0 again\" "}) {
+  for (const std::string mark : {"class=\"mark s0 n0\" ", "class=\"mark s0 again n8\" "}) {
     const std::size_t at = html.find(mark);
     ASSERT_NE(at, std::string::npos) << mark;
     marks.push_back(html.substr(at + mark.size(), html.find('>', at) - at - mark.size()));
   }
   EXPECT_NE(marks[0], marks[1]);
+}
+
+TEST(ScatterChart, ItsLegendNamesWhatVaries) {
+  const std::vector<Point> points = {{0, 1, 1, ""}, {1, 2, 2, ""}};
+  const auto legend = [&](const SeriesNames& names) {
+    return ScatterChart({"t", "x", "y"}, names, points);
+  };
+  const std::string html = legend({"raw,layout=a,epsilon=1", "raw,layout=b,epsilon=1"});
+  EXPECT_THAT(html, HasSubstr("</svg>layout=a</button>"));
+  EXPECT_THAT(html, HasSubstr("data-series=\"n1\" title=\"raw,layout=b,epsilon=1\""));
+  // One has no part of its own: then the names stay whole.
+  EXPECT_THAT(legend({"raw", "raw,layout=b"}), HasSubstr("</svg>raw</button>"));
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/experiment_report/map_payload.h"
+#include "cirque/io/png.h"
+
+#include "experiments/common/map_view/map_payload.h"
+#include "experiments/common/map_view/uv_map.h"
 #include "experiments/experiment_report/page.h"
-#include "experiments/experiment_report/uv_map.h"
 #include "tests/common/run_program.h"
 #include "tests/common/surfaces.h"
 #include "tests/experiments/report_fixtures.h"

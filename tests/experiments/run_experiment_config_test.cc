@@ -41,7 +41,11 @@ const std::vector<BadConfig>& BadConfigs() {
       {"NotAMap", "- a\n", ":1:1: the file must be 'key: value' lines"},
       {"TwoDocuments", "a: 1\n---\nb: 2\n",
        ":2:1: the file must hold one YAML document, without '---'"},
-      {"Syntax", "question: a: b\n", ":1:12: not valid YAML: illegal map value"},
+      {"Syntax", "question: a: b\n",
+       ":1:12: not valid YAML: illegal map value; a value with ': ' in it stands in quotes"},
+      {"Tab", "question: a\nmeshes:\n\t- {generator: sphere}\n",
+       ":3:2: not valid YAML: illegal block entry; the line begins with a tab, and YAML indents by "
+       "spaces"},
       {"Unclosed", "question: [1\nmeshes: 2\n",
        ":2:7: not valid YAML: end of sequence flow not found"},
       {"DeepNesting", std::string(100000, '['),
@@ -57,11 +61,9 @@ const std::vector<BadConfig>& BadConfigs() {
        "exclude, time_limit, memory_limit, keep_maps, reference, measures, output, figures"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
-       "domain, triangulation, angle_objective, "
-       "angle_solver, radii_solver, layout, cones, cone_budget, cone_angles, refine_cones, "
-       "refine_map, "
-       "seams, cut_cost, "
-       "edge_costs, epsilon, "
+       "domain, exact, pattern, triangulation, retriangulate, angle_objective, angle_solver, "
+       "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, refine_cones, "
+       "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
        "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
@@ -112,9 +114,9 @@ const std::vector<BadConfig>& BadConfigs() {
       {"ScalarEntry", Config("bumpy_terrain", kMethod),
        ":3:5: an entry of 'meshes' must be 'key: value' lines"},
       {"NoSource", Config("name: a", kMethod),
-       ":3:5: give exactly one of file, archive, generator (here: none)"},
+       ":3:5: give exactly one of file, corpus, archive, generator (here: none)"},
       {"TwoSources", Config("{generator: bumpy_terrain, file: a.obj, optional: true}", kMethod),
-       ":3:5: give exactly one of file, archive, generator (here: file, generator)"},
+       ":3:5: give exactly one of file, corpus, archive, generator (here: file, generator)"},
       {"UnknownGenerator", Config("generator: bumpy_terain", kMethod),
        ":3:16: unknown generator "
        "'bumpy_terain'; did you mean 'bumpy_terrain'?"},
@@ -143,15 +145,22 @@ const std::vector<BadConfig>& BadConfigs() {
        ":3:38: 'subdivisions' must be a whole number from 0 to 12, not '-1'"},
       {"SubdividedKnownMap",
        Config("{generator: hemisphere, boundary: known_map, subdivisions: [0, 1]}", kMethod),
-       ":3:64: midpoints do not lie on the smooth surface"},
+       ":3:64: new vertices do not lie on the smooth surface"},
       {"UnknownDomain", Config(kMesh, "{name: a, domain: dick}"),
        ":5:23: unknown domain 'dick'; did you mean 'disk'? Known: plane, sphere, disk"},
       {"ForeignToTheDomain", Config(kMesh, "{name: a, domain: [plane, half_plane], cones: greedy}"),
-       ":5:51: 'cones' has no meaning with domain 'half_plane', which takes none of its like; give "
+       ":5:51: 'cones' has no meaning with domain 'half_plane', which takes refine_map, strict; "
+       "give "
        "that domain an entry of its own"},
       {"ForeignToTheSphere", Config(kMesh, "{name: a, domain: sphere, cut_cost: length}"),
        ":5:41: 'cut_cost' has no meaning with domain 'sphere', which takes layout, "
        "refine_map"},
+      {"NoCosts", Config(kMesh, "{name: a, edge_costs: costs.txt}"),
+       ":5:27: edge_costs: there is no file '/nowhere/costs.txt'"},
+      {"NoCones", Config(kMesh, "{name: a, cones: 'given:file=c.txt'}"),
+       ":5:22: cones: there is no file '/nowhere/c.txt'"},
+      {"NoAngles", Config(kMesh, "{name: a, boundary: 'given:file=c.txt'}"),
+       ":5:25: boundary: there is no file '/nowhere/c.txt'"},
       {"SeedsOfFiles", Config("{file: a.obj, optional: true}", kMethod, "seeds: [1, 2]\n"),
        ":6:8: 'seeds' has a meaning for generated meshes only: nothing here is random"},
       {"SeedTwice", Config(kMesh, kMethod, "seeds: [1, 2, 1]\n"), ":6:15: '1' is listed twice"},
@@ -214,22 +223,23 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
       "question: why\nrepeats: 0\nmeshes:\n  - file: a.obj\nmethods:\n\t\n  - nam: a\n");
   const StatusOr<ExperimentConfig> config = LoadConfig(path);
   ASSERT_FALSE(config.ok());
-  EXPECT_EQ(config.status().message(),
-            path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
-                "  repeats: 0\n           ^\n" +  //
-                path + ":4:11: there is no file '" + folder.path() +
-                "/a.obj'; put it there, or skip it with 'optional: true'\n" +
-                "    - file: a.obj\n            ^\n" +  //
-                path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-                "domain, triangulation, angle_objective, angle_solver, radii_solver, layout, "
-                "cones, cone_budget, "
-                "cone_angles, refine_cones, refine_map, seams, cut_cost, edge_costs, epsilon, "
-                "max_iterations, strict\n    "
-                "- nam: a\n      "
-                "^\n" +  //
-                path +
-                ":7:5: the key 'name' is missing: its name in tables\n" +
-                "    - nam: a\n      ^\n");
+  EXPECT_EQ(
+      config.status().message(),
+      path + ":2:10: 'repeats' must be a whole number from 1 to 1000, not '0'\n" +
+          "  repeats: 0\n           ^\n" +  //
+          path + ":4:11: there is no file '" + folder.path() +
+          "/a.obj'; put it there, or skip it with 'optional: true'\n" +
+          "    - file: a.obj\n            ^\n" +  //
+          path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
+          "domain, exact, pattern, triangulation, retriangulate, angle_objective, angle_solver, "
+          "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, "
+          "refine_cones, "
+          "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
+          "max_iterations, strict\n    "
+          "- nam: a\n      "
+          "^\n" +  //
+          path +
+          ":7:5: the key 'name' is missing: its name in tables\n" + "    - nam: a\n      ^\n");
 }
 
 TEST(RunExperimentConfig, CaretStandsUnderTheColumnAfterTabsAndUmlauts) {

@@ -15,6 +15,7 @@
 #include "experiments/run_experiment/config/config.h"
 #include "experiments/run_experiment/config/quantities.h"
 #include "experiments/run_experiment/run/runner.h"
+#include "tests/common/domain_maps.h"
 #include "tests/common/run_program.h"
 #include "tests/common/temporary_folder.h"
 
@@ -69,13 +70,54 @@ TEST_F(RunExperimentKeys, SubdivisionsSplitEveryTriangleIntoFour) {
   EXPECT_THAT(keys, SizeIs(3));
 }
 
+TEST_F(RunExperimentKeys, MeshesAreMadeCoarserThenFiner) {
+  const ExperimentConfig config = Load(
+      "  - {generator: sphere, triangles: 2000, name: ball, decimate: 400, subdivisions: 1, "
+      "subdivision: [midpoint, loop, sqrt3]}\n",
+      "  - name: a\n");
+  EXPECT_THAT(MeshNames(config),
+              ElementsAre("ball-to400-sub1", "ball-to400-loop1", "ball-to400-sqrt31"));
+  std::set<std::string> keys;
+  for (const Record& record : Run(config)) {
+    EXPECT_EQ(record["outcome"], "ok") << record["message"];
+    const int times = record["mesh"]["name"] == "ball-to400-sqrt31" ? 3 : 4;
+    EXPECT_NEAR(record["mesh"]["triangles"].get<int>(), 400 * times, 40);
+    keys.insert(record["key"].get<std::string>());
+  }
+  EXPECT_THAT(keys, SizeIs(3));
+}
+
 TEST_F(RunExperimentKeys, SubdivisionDoesNotHideADefectOfTheMesh) {
   folder_.Write("bad.obj",
                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
                 "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
   const std::vector<Record> records =
-      Run(Load("  - {file: bad.obj, subdivisions: 1}\n", "  - name: a\n"));
+      Run(Load("  - {file: bad.obj, subdivisions: 1, repair: none}\n", "  - name: a\n"));
   EXPECT_EQ(records.at(0)["outcome"], "invalid_input");
+}
+
+TEST_F(RunExperimentKeys, SeveralComponentsAreRepairedAndMappedAsTheProgramDoes) {
+  // Two unit squares whose common side has vertices twice, and a face of no area.
+  folder_.Write("two.obj",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 1\nv 2 1 1\nv 1 1 0\n"
+                "f 1 2 3 4\nf 5 6 7 8\nf 1 2 1\n");
+  const ExperimentConfig config = Load("  - {file: two.obj, repair: [none, safe, weld]}\n",
+                                       "  - name: a\n", "keep_maps: true\n");
+  EXPECT_THAT(MeshNames(config), ElementsAre("two-none", "two", "two-weld"));
+  const std::vector<Record> records = Run(config);
+  ASSERT_THAT(records, SizeIs(3));
+  EXPECT_EQ(records[0]["outcome"], "invalid_input");
+  std::set<std::string> keys;
+  for (const int i : {1, 2}) EXPECT_EQ(records[i]["outcome"], "ok") << records[i]["message"];
+  for (const Record& record : records) keys.insert(record["key"].get<std::string>());
+  EXPECT_THAT(keys, SizeIs(3));
+  EXPECT_EQ(records[1]["values"]["components"], 2);
+  EXPECT_FALSE(records[2]["values"].contains("components"));
+  EXPECT_TRUE(records[1].contains("map"));
+  const auto unknown = LoadConfig(folder_.Write(
+      "b.yaml",
+      "question: why?\nmeshes:\n  - {file: two.obj, repair: glue}\nmethods:\n  - name: a\n"));
+  EXPECT_THAT(unknown.status().message(), HasSubstr("glue"));
 }
 
 // The reference is timed beside the run and is no part of its time.
@@ -92,11 +134,6 @@ TEST_F(RunExperimentKeys, ReferenceIsTimedOnRequest) {
     if (stage != "total") stages += seconds.get<double>();
   }
   EXPECT_GE(record["seconds"]["total"], stages * 0.99);
-}
-
-/// A surface that the domain can take.
-std::string GeneratorFor(const std::string& domain) {
-  return domain == "sphere" ? "blob" : "hemisphere";
 }
 
 std::string VerifyFlags(const std::string& domain) {

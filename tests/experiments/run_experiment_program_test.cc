@@ -67,7 +67,7 @@ TEST(RunExperimentProgram, HelpIsShortAndNamesEveryFlag) {
   for (const char* flag : {"--dry_run", "--only", "--fresh", "--help_config", "--output"}) {
     EXPECT_THAT(ended.output, HasSubstr(flag));
   }
-  EXPECT_LT(ended.output.size(), 1500u);
+  EXPECT_LT(ended.output.size(), 1800u);
   EXPECT_THAT(RunProgram("--help_config").output, HasSubstr("bumpy_terrain"));
 }
 

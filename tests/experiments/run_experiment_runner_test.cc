@@ -387,7 +387,9 @@ TEST(RunExperimentMeasures, ChosenFiguresAreColumnsAndMakeAnotherRun) {
 
 TEST_F(RunExperimentTest, FilesOfAMethodCountByTheirContentWhereverTheyLie) {
   const std::vector<std::pair<std::string, std::string ParameterizeOptions::*>> kinds = {
-      {"", &ParameterizeOptions::edge_costs}, {"given:file=", &ParameterizeOptions::cones}};
+      {"", &ParameterizeOptions::edge_costs},
+      {"given:file=", &ParameterizeOptions::cones},
+      {"given:file=", &ParameterizeOptions::boundary}};
   for (const auto& kind : kinds) {
     SCOPED_TRACE(kind.first);
     const auto content = [&](const std::string& path) {

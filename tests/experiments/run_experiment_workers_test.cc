@@ -217,6 +217,8 @@ TEST(RunExperimentReadyRuns, KeepTheirBytesAndDigits) {
   run.method.domain = "disk";
   run.mesh.family = "torus";
   run.mesh.subdivisions = 3;
+  run.mesh.subdivision = "loop";
+  run.mesh.decimate = 12;
   run.reference = true;
   run.measures = {"cut_length"};
   run.limits = {1.0 / 3, 1e-300};
@@ -235,6 +237,8 @@ TEST(RunExperimentReadyRuns, KeepTheirBytesAndDigits) {
   EXPECT_TRUE(ready->run.keep_map);
   EXPECT_TRUE(ready->run.reference);
   EXPECT_EQ(ready->run.mesh.subdivisions, 3);
+  EXPECT_EQ(ready->run.mesh.subdivision, "loop");
+  EXPECT_EQ(ready->run.mesh.decimate, 12);
   EXPECT_EQ(ready->run.mesh.family, "torus");
   EXPECT_EQ(ready->run.method.domain, "disk");
   EXPECT_EQ(ready->mesh.path, "/b/\x80");

@@ -94,8 +94,9 @@ TEST_F(SphereProgramsTest, LatitudeAndLongitudeAreTexture) {
 
 TEST_F(SphereProgramsTest, TheCertificateHasItsNumbers) {
   const std::string in = Write("in.obj", *GenerateMesh("blob", {400, 1}));
-  ASSERT_EQ(Map(in, folder_.Path("out.obj")).exit_status, 0);
-  std::ifstream file(folder_.Path("out.certificate.json"));
+  const std::string certificate = folder_.Path("certificate.json");
+  ASSERT_EQ(Map(in, folder_.Path("out.obj"), "-certificate " + certificate).exit_status, 0);
+  std::ifstream file(certificate);
   const auto json = nlohmann::json::parse(file);
   EXPECT_EQ(json["outcome"], "ok");
   EXPECT_EQ(json["overlap"], "injective");
@@ -124,7 +125,8 @@ TEST_F(SphereProgramsTest, BadOptionsAreExitStatusTwoAndLeaveNothing) {
            {"circle_patterns -domain=sphere -layout=direction" + both, "did you mean"},
            {"circle_patterns -domain=sphere -iv cones" + both, "takes no --iv"},
            {"circle_patterns -domain=sphere -latlong=x.ply" + both, ".obj"},
-           {"circle_patterns -domain=sphere -io " + in + " -oo " + folder_.Path("x.png"), ".ply"},
+           {"circle_patterns -domain=sphere -io " + in + " -oo " + folder_.Path("x.png"),
+            "ply, glb"},
            {"circle_patterns -domain=sphere -io " + torus + " -oo " + out, "genus 1"},
            {"verify_map --domain=spere " + in + " " + in, "did you mean 'sphere'"},
            {"verify_map --domain=sphere --radius_tolerance=-1 " + in + " " + in, "tolerance"},

@@ -150,6 +150,28 @@ TEST_F(StudyTest, RefinedMapsAreComparedWithThePlainOnesOfTheirMesh) {
                         "(1.5 to 1.5) |"));
 }
 
+TEST_F(StudyTest, LeversAreComparedWithTheIsometricBoundary) {
+  std::vector<nlohmann::json> records;
+  const auto add = [&](const char* name, const nlohmann::json& options, double l2, double qc) {
+    nlohmann::json record = ReportRecord("a", name, 1);
+    record["method"].update(options);
+    record["values"].update({{"log_scale_l2", l2},
+                             {"log_scale_max", 2 * l2},
+                             {"symmetric_dirichlet", 3},
+                             {"quasi_conformal_mean", qc},
+                             {"quasi_conformal_p99", qc}});
+    record["cpu_seconds"] = 2 * qc;
+    records.push_back(record);
+  };
+  add("boundary,isometric", {{"boundary", "isometric"}}, 0.5, 1);
+  add("cones,8", {{"cones", "greedy"}, {"cone_budget", 8}}, 0.1, 1.5);
+  add("beyond,symmetric_dirichlet", {{"refine_map", "symmetric_dirichlet"}}, 0.05, 2);
+  const std::string page = Page("levers", records);
+  EXPECT_THAT(page, HasSubstr("| `8 cones` | 1 of 1 | 0.2 (0.2 to 0.2) | 0.2 (0.2 to 0.2) |"));
+  EXPECT_THAT(page, HasSubstr("| `symmetric_dirichlet` | 1 of 1 | 0.1 (0.1 to 0.1) | 0.1 (0.1 to "
+                              "0.1) | 1 (1 to 1) | 2.000 | 2.000 | 0 | 2 (2 to 2) |"));
+}
+
 TEST_F(StudyTest, BadRecordsAreRefusedAndNothingIsWritten) {
   ProgramResult refused = Study("scaling");
   EXPECT_EQ(refused.exit_status, 2);

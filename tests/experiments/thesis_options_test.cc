@@ -55,6 +55,8 @@ class ThesisOptions : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
+  const std::string program_ =
+      "circle_patterns -certificate " + folder_.Path("out.certificate.json");
   const std::string obj_ = Write("octahedron.obj", kObj), cones_ = Write("cones.txt", kCones),
                     cut_ = Write("cut.txt", kCut), out_ = folder_.Path("out.obj"),
                     con_ = folder_.Path("out.con");
@@ -62,28 +64,28 @@ class ThesisOptions : public ::testing::Test {
 
 TEST_F(ThesisOptions, IoOoIvFlattenTheOctahedronToEquilateralFaces) {
   const ProgramResult run =
-      RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -iv " + cones_);
+      RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -iv " + cones_);
   ASSERT_EQ(run.exit_status, 0) << run.output;
   EXPECT_NEAR(EdgeRatio(), 1, 1e-12);
   EXPECT_EQ(Certificate()["values"]["cones"], 6);
 }
 
 TEST_F(ThesisOptions, IeOpensTheEdgesOfTheFile) {
-  const ProgramResult run = RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -iv " +
-                                       cones_ + " -ie " + cut_);
+  const ProgramResult run =
+      RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -iv " + cones_ + " -ie " + cut_);
   ASSERT_EQ(run.exit_status, 0) << run.output;
   // A tree of five edges: its ten sides and the faces' vertices make a disk of ten vertices.
   EXPECT_EQ(ReadMesh(out_)->texture.size(), 10u);
   EXPECT_EQ(RunProgram("verify_map " + obj_ + " " + out_).exit_status, 0);
-  const ProgramResult refused = RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ +
-                                           " -ie " + Write("wrong.txt", "1 2 1\n"));
+  const ProgramResult refused = RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -ie " +
+                                           Write("wrong.txt", "1 2 1\n"));
   EXPECT_EQ(refused.exit_status, 2);
   EXPECT_THAT(refused.output, HasSubstr("wrong.txt:1"));
 }
 
 TEST_F(ThesisOptions, OcWritesTheFlatMetricAndIcNoLaysItOut) {
   ASSERT_EQ(
-      RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -oc " + con_ + " -iv " + cones_)
+      RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -oc " + con_ + " -iv " + cones_)
           .exit_status,
       0);
   const ConMesh flat = *ReadCon(con_);
@@ -115,13 +117,13 @@ TEST_F(ThesisOptions, OneTextFileHoldsThemAll) {
 }
 
 TEST_F(ThesisOptions, CutPathsOpenShortestPathsAndSixthTurnsAreExact) {
-  const ProgramResult run = RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -iv " +
+  const ProgramResult run = RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -iv " +
                                        cones_ + " -cut_paths 1-5,5-3,3-2,2-4,4-6");
   ASSERT_EQ(run.exit_status, 0) << run.output;
   EXPECT_EQ(ReadMesh(out_)->texture.size(), 10u);
   for (const char* wrong : {"1-9", "1", "1-x", "-"}) {
     const ProgramResult refused =
-        RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -cut_paths=" + wrong);
+        RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -cut_paths=" + wrong);
     EXPECT_EQ(refused.exit_status, 2) << wrong;
     EXPECT_THAT(refused.output, HasSubstr("cut_paths")) << wrong;
   }
@@ -129,8 +131,8 @@ TEST_F(ThesisOptions, CutPathsOpenShortestPathsAndSixthTurnsAreExact) {
                                   "1 1.3333333333333333\n2 1.3333333333333333\n"
                                   "3 1.3333333333333333\n4 1.3333333333333333\n"
                                   "5 1.3333333333333333\n6 1.3333333333333333\n");
-  ASSERT_EQ(
-      RunProgram("circle_patterns -io " + obj_ + " -oo " + out_ + " -iv " + fixed).exit_status, 0);
+  ASSERT_EQ(RunProgram(program_ + " -io " + obj_ + " -oo " + out_ + " -iv " + fixed).exit_status,
+            0);
   EXPECT_EQ(Certificate()["values"]["rotation_order"], 6);
 }
 
@@ -138,7 +140,7 @@ TEST_F(ThesisOptions, FlipBackGivesTheInputsTrianglesBack) {
   const std::string in = folder_.Path("scrambled.obj");
   ASSERT_TRUE(WriteMesh(in, *GenerateMesh("bumpy_terrain", {400, 1})).ok());
   const ProgramResult run =
-      RunProgram("circle_patterns -io " + in + " -oo " + out_ + " -oc " + con_ + " -flip_back");
+      RunProgram(program_ + " -io " + in + " -oo " + out_ + " -oc " + con_ + " -flip_back");
   ASSERT_EQ(run.exit_status, 0) << run.output;
   EXPECT_GT(Certificate()["values"]["flips"], 0);
   EXPECT_EQ(Certificate()["values"]["flip_back_stuck"], 0);

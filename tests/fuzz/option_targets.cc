@@ -157,7 +157,7 @@ std::vector<FuzzTarget> OptionTargets() {
           {"flags",
            RunFlags,
            Words(),
-           {"-io=a.obj\n-oo=b.obj\n", "-io\na.obj\n--domain=disk\n--centre=3\n--nohelp\n",
+           {"-io=a.obj\n-oo=b.obj\n", "-io\na.obj\n--domain=disk\n--centre=3\n--noquiet\n",
             "-ic=a.con\n-no\n-oc=b.con\n"},
            {"experiments/circle_patterns/flags", "experiments/common/flag_parsing"}},
           {"vertex_lists",

@@ -44,6 +44,31 @@ TEST(ConFile, RoundTripsEverySurfaceToTheBit) {
   }
 }
 
+TEST(ConFile, RoundTripsInTheThesissForm) {
+  const Triangulation square = ParseCon("m", "4 2\n1 2 3 1 1 1\n1 3 4 1 1 1\n")->triangulation;
+  EdgeLengths lengths;
+  lengths.value.setConstant(square.num_edges(), 0.25);
+  EXPECT_EQ(FormatCon(square, lengths, ConForm::kThesis),
+            "4 2\n1 2 3\n0.25 0.25 0.25\n1 3 4\n0.25 0.25 0.25\n");
+  const Surface surface = GeneratedSurface("double_torus", 800);
+  const EdgeLengths measured = MeasureEdgeLengths(surface);
+  const std::string path = testing::TempPath("thesis.con");
+  ASSERT_TRUE(WriteCon(path, surface.triangulation, measured, ConForm::kThesis).ok());
+  const StatusOr<ConMesh> con = ReadCon(path);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(con.ok()) << con.status().message();
+  ExpectSame(*con, surface.triangulation, measured);
+}
+
+TEST(ConFile, TheThesissFormHoldsNoTwoEdgesBetweenTheSameVertices) {
+  const IntrinsicMesh mesh = testing::LatticeTorus({1, 0}, {0.3, 1.1});
+  const std::string path = testing::TempPath("no_thesis.con");
+  const Status status = WriteCon(path, mesh.triangulation, mesh.lengths, ConForm::kThesis);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
+  EXPECT_THAT(status.message(), HasSubstr("several edges between the same vertices"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(ConFile, RoundTripsDeltaComplexes) {
   for (const IntrinsicMesh& mesh :
        {testing::LatticeTorus({1, 0}, {0.3, 1.1}),

@@ -1,5 +1,7 @@
 #include "cirque/io/cone_file.h"
 
+#include <cmath>
+#include <numeric>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -138,6 +140,57 @@ TEST(ConeFile, MutatedIsTargetsOrAMessage) {
   }
   EXPECT_GT(good, 500);
   EXPECT_GT(bad, 500);
+}
+
+/// An octahedron, whose 8 triangles have the angle sum 8 pi, by vertices numbered in order.
+struct Octahedron {
+  Surface surface = RegularPolyhedron(8);
+  FileVertices vertices = VerticesInOrder(6);
+  ConeFileRounding rounding;
+
+  /// The angle sums in units of pi.
+  std::vector<double> Lower(const std::string& text) {
+    const auto targets = ParseConeFile("a.cones", text, surface.triangulation, vertices, &rounding);
+    EXPECT_TRUE(targets.ok()) << targets.status().message();
+    std::vector<double> lower = targets->lower;
+    for (double& angle : lower) angle /= kPi;
+    return lower;
+  }
+};
+
+TEST(ConeFile, WhatMissesByItsDigitsIsMadeExact) {
+  Octahedron c;
+  // Three cones of 2/3 pi and three flat vertices: 8 pi, but for 3e-6 / 3 pi.
+  const std::vector<double> lower = c.Lower("1 0.666667\n2 0.666667\n3 0.666667\n");
+  for (int v = 0; v < 3; ++v) EXPECT_NEAR(lower[v], 2. / 3, 1e-15);
+  for (int v = 3; v < 6; ++v) EXPECT_EQ(lower[v], 2);
+  EXPECT_EQ(c.rounding.cones, 3);
+  EXPECT_NEAR(c.rounding.missed, 1e-6 * kPi, 1e-12);
+  EXPECT_NEAR(c.rounding.largest, 1e-6 / 3 * kPi, 1e-12);
+}
+
+TEST(ConeFile, AnglesWithFewerDigitsChangeMoreAndExactOnesNot) {
+  Octahedron c;
+  // 1/3 + 1/6 + 3/2 = 2, given with 3, 6 and 1 decimals; 3.33e-4 are missing.
+  const std::vector<double> lower = c.Lower("1 0.333\n2 0.166667\n3 1.5\n");
+  EXPECT_EQ(lower[2], 1.5);
+  EXPECT_LE(std::abs(lower[1] - 0.166667), 0.5000001e-6);
+  EXPECT_LE(std::abs(lower[0] - 0.333), 0.5000001e-3);
+  EXPECT_NEAR(lower[0] + lower[1] + lower[2], 2, 1e-15);
+  EXPECT_EQ(c.rounding.cones, 2);
+}
+
+TEST(ConeFile, AMissBeyondTheDigitsStays) {
+  for (const char* text : {"1 0.66667\n2 0.66668\n3 0.66667\n",  // by 2e-5, digits allow 1.5e-5
+                           "1 0.5\n2 0.5\n3 1.1\n", "1 0.67\n2 0.67\n3 0.67\n", "1 1\n"}) {
+    Octahedron c;
+    const std::vector<double> lower = c.Lower(text);
+    EXPECT_EQ(c.rounding.cones, 0) << text;
+    EXPECT_NE(std::accumulate(lower.begin(), lower.end(), 0.0), 8) << text;
+  }
+  Octahedron exact;
+  EXPECT_EQ(exact.Lower("1 0.5\n2 0.5\n3 1\n")[0], 0.5);
+  EXPECT_EQ(exact.rounding.cones, 0);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "cirque/mesh/preflight.h"
 
 #include "tests/io/mutate.h"
+#include "tests/io/om_bytes.h"
 #include "tests/mesh/meshes.h"
 
 namespace cirque {
@@ -106,6 +107,7 @@ const std::multimap<std::string, std::string>& Handmade() {
       {"stl", kTextStl},
       {"stl", BinaryStl()},
       {"ply", BinaryPly()},
+      {"om", testing::OmOfQuadrilateral()},
       {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 \\\n0\nvt 0 0\nvn 0 0 1\nf -1/1 2//1 1/-1/1\n"}};
   return kFiles;
 }

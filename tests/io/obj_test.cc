@@ -85,29 +85,59 @@ TEST(ObjReader, ReadsNumbersThatAreNotFiniteOrTooLargeAsSuch) {
   EXPECT_EQ(soup.position[1], Eigen::Vector3d(INFINITY, -INFINITY, 0));
 }
 
+TEST(ObjReader, PassesOverWithAWarningWhatAMapCanDoWithout) {
+  PolygonSoup soup = Parsed(kThree + "f 1 2\nf 1 2 3\nf 3\nf\n");
+  EXPECT_THAT(soup.corner, ElementsAre(0, 1, 2));
+  EXPECT_THAT(soup.warnings,
+              ElementsAre("m.obj:4: a face of fewer than 3 corners is ignored (and 2 times more)"));
+  // Texture coordinates that are not there.
+  soup = Parsed(kThree + "vt 0 0\nf 1/1 2/2 3/1\nf 1/7 2/1 3/1\nvt 1 1\n");
+  EXPECT_THAT(soup.corner_texture, ElementsAre(0, 1, 0, kNone, 0, 0));
+  EXPECT_THAT(soup.warnings, ElementsAre("m.obj:6: texture coordinate index 7, but the file has "
+                                         "only 2; such corners have none"));
+  soup = Parsed(kThree + "f 1/1/1 2/2/2 3/3/3\n");
+  EXPECT_TRUE(soup.corner_texture.empty());
+  EXPECT_EQ(soup.warnings.size(), 1u);
+  // 0 for texture and normal that a corner does not have.
+  soup = Parsed(kThree + "vt 5 5\nf 1/0/0 2/-2/0 3/1/0\n");
+  EXPECT_THAT(soup.corner_texture, ElementsAre(kNone, kNone, 0));
+  EXPECT_THAT(soup.warnings,
+              ElementsAre("m.obj:5: there is no such texture coordinate (OBJ counts from 1): the "
+                          "corner has none (and 1 times more)"));
+  // A line without numbers leaves the others without meaning.
+  soup = Parsed(kThree + "vt 1 1\nvt\nf 1/1 2/2 3/1\n");
+  EXPECT_TRUE(soup.texture.empty());
+  EXPECT_TRUE(soup.corner_texture.empty());
+  EXPECT_THAT(soup.warnings, ElementsAre("m.obj:5: 'vt' without numbers: all texture coordinates "
+                                         "of the file are ignored"));
+}
+
+TEST(ObjReader, NumbersThatAreNotFiniteAreTheirsInEverySpelling) {
+  for (const std::string word :
+       {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "NAN(snan)", "inf", "-INF", "Infinity",
+        "+infinity", "1.#IND", "-1.#IND", "1.#QNAN", "1.#INF00", "-1.#J", "1e999"}) {
+    const PolygonSoup soup = Parsed(kThree + "v 0 " + word + " 0\nf 1 2 3\n");
+    ASSERT_EQ(soup.position.size(), 4u) << word;
+    EXPECT_FALSE(std::isfinite(soup.position[3].y())) << word;
+    EXPECT_EQ(soup.position[3].z(), 0) << word;
+    EXPECT_EQ(soup.not_finite_at, "m.obj:4") << word;
+  }
+}
+
 TEST(ObjReader, NamesLineAndRemedyOfMalformedInput) {
   EXPECT_EQ(Message("v 0 0\n"),
             "m.obj:1: expected three coordinates, 'v x y z', got the end of the line");
   EXPECT_EQ(Message("\nv 0 zero 0\n"),
             "m.obj:2: expected three coordinates, 'v x y z', got 'zero'");
   EXPECT_EQ(Message("v 0 0 1,5\n"), "m.obj:1: expected three coordinates, 'v x y z', got '1,5'");
-  EXPECT_EQ(Message("vt\n"),
-            "m.obj:1: expected texture coordinates, 'vt u v', got the end of the line");
   EXPECT_EQ(Message("vt 1 b\n"), "m.obj:1: expected texture coordinates, 'vt u v', got 'b'");
-  EXPECT_EQ(Message(kThree + "f 1 2\n"),
-            "m.obj:4: a face needs at least 3 corners, this one has 2; complete or remove it");
   EXPECT_EQ(Message(kThree + "f 0 1 2\n"),
             "m.obj:4: vertex index 0; OBJ counts from 1 (or back from -1)");
-  EXPECT_EQ(Message(kThree + "vt 0 0\nf 1/0 2/1 3/1\n"),
-            "m.obj:5: texture coordinate index 0; OBJ counts from 1 (or back from -1)");
   EXPECT_EQ(Message(kThree + "f -4 -1 -2\n"),
             "m.obj:4: vertex index -4 goes back beyond the first of the 3 before it");
   EXPECT_EQ(Message(kThree + "f 1 2 3\nf 1 2 4\nf 3 2 1\n"),
             "m.obj:5: vertex index 4, but the file has only 3; correct the index or check that "
             "the file is complete");
-  EXPECT_EQ(Message(kThree + "f 1/1 2/1 3/1\n"),
-            "m.obj:4: texture coordinate index 1, but the file has only 0; correct the index or "
-            "check that the file is complete");
   for (const std::string bad :
        {"x", "1/a", "1/2/3/4", "/1", "1.5", "99999999999999999999", "1//x"}) {
     EXPECT_EQ(Message(kThree + "f 1 2 " + bad + "\n"),

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -10,6 +13,7 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/opened_map.h"
+#include "cirque/layout/stretch_sum.h"
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"
@@ -204,6 +208,151 @@ TEST(RefineMap, FacesOfAMillionthOfTheirHeightComeBack) {
   ASSERT_TRUE(done.ok());
   EXPECT_GT(done->before, 1e4);
   EXPECT_LT(done->after, 1e-6);
+}
+
+StatusOr<MapRefinement> Stretch(const SeamedSurface& of, const std::string& energy, int steps,
+                                CornerUv* uv, const std::atomic<bool>* cancelled = nullptr) {
+  return RefineStretch(of, *StretchEnergies().Find(energy), {.steps = steps, .decrease = 0},
+                       cancelled, uv);
+}
+
+TEST(EveryStretchEnergy, TakesAPerturbedPlanarMeshBackToAnIsometry) {
+  const Surface strip = FlatStrip(8, 6);
+  const Triangulation& t = strip.triangulation;
+  const EdgeLengths lengths = MeasureEdgeLengths(strip);
+  const IntrinsicSurface surface = MeasureSurface(t, lengths);
+  const Cut none = NoCut(t);
+  for (const std::string& name : StretchEnergies().Names()) {
+    SCOPED_TRACE(name);
+    CornerUv uv = Perturbed(t, UvOf(strip), 0.15);
+    for (Eigen::Vector2d& p : uv.value) p *= 3;  // and of another size
+    const double area = AreaOf(uv);
+    const StatusOr<MapRefinement> done = Stretch({surface, none, {}}, name, 60, &uv);
+    ASSERT_TRUE(done.ok()) << done.status().message();
+    EXPECT_GT(done->before, 0.02);
+    EXPECT_LT(done->after, 1e-12);
+    EXPECT_TRUE(FlippedFaces(t, uv).empty());
+    EXPECT_NEAR(AreaOf(uv), area, 1e-12 * area);
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      const double image =
+          (uv.value[Triangulation::Prev(h)] - uv.value[Triangulation::Next(h)]).norm();
+      const double scale = std::sqrt(area / AreaOf(UvOf(strip)));
+      EXPECT_NEAR(image, scale * lengths.value[t.edge[h]], 1e-5);
+    }
+  }
+}
+
+TEST(EveryStretchEnergy, EndsWhereNoMoveOfAVertexLowersIt) {
+  const Surface cap = GeneratedSurface("hemisphere", 200);
+  const Triangulation& t = cap.triangulation;
+  const EdgeLengths lengths = MeasureEdgeLengths(cap);
+  const IntrinsicSurface surface = MeasureSurface(t, lengths);
+  const Cut none = NoCut(t);
+  CornerUv start;
+  for (const Index v : t.vertex) start.value.push_back(cap.position[v].head<2>());
+  ASSERT_TRUE(FlippedFaces(t, start).empty());
+  for (const std::string& name : StretchEnergies().Names()) {
+    SCOPED_TRACE(name);
+    CornerUv uv = start;
+    const StatusOr<MapRefinement> done = Stretch({surface, none, {}}, name, 200, &uv);
+    ASSERT_TRUE(done.ok());
+    EXPECT_LT(done->after, 0.8 * done->before);
+    EXPECT_TRUE(done->at_rest);
+    EXPECT_TRUE(FlippedFaces(t, uv).empty());
+    const StretchEnergy energy = *StretchEnergies().Find(name);
+    OpenedMap map({surface, none, {}}, uv, 0);
+    const double unit = BestUnit(map.faces(), energy, map.z());
+    const double least = StretchOf(map.faces(), energy, unit, map.z());
+    EXPECT_NEAR(least, done->after, 1e-10 * least);
+    const double size = 1e-3 * std::sqrt(AreaOf(uv) / t.num_faces());
+    for (Index v = 0; v < t.num_vertices; v += 7) {
+      for (const std::complex<double> move : {std::complex<double>(size, 0), {0, size}}) {
+        const auto at = [&](double sign) {
+          Eigen::VectorXcd z = map.z();
+          z[v] += sign * move;
+          return StretchOf(map.faces(), energy, unit, z);
+        };
+        EXPECT_GT(at(1) + 1e-7 * least, least);
+        EXPECT_GT(at(-1) + 1e-7 * least, least);
+      }
+    }
+  }
+}
+
+TEST(EveryStretchEnergy, KeepsSeamsCongruentAndHeldVerticesWhereTheyAre) {
+  const Surface strip = FlatStrip(12, 8);
+  const Surface bent = Moved(strip, [](const Eigen::Vector3d& x) {
+    return Eigen::Vector3d(x.x(), x.y(), 2 * std::sin(0.5 * x.x()) * std::cos(0.7 * x.y()));
+  });
+  const Triangulation& t = strip.triangulation;
+  const EdgeLengths lengths = MeasureEdgeLengths(bent);
+  const IntrinsicSurface surface = MeasureSurface(t, lengths);
+  Cut slit = NoCut(t);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Eigen::Vector3d &a = strip.position[t.Tail(h)], &b = strip.position[t.Tip(h)];
+    if (a.y() == 4 && b.y() == 4 && std::min(a.x(), b.x()) >= 3 && std::max(a.x(), b.x()) <= 9) {
+      slit.edge[t.edge[h]] = true;
+    }
+  }
+  const CornerUv start = Perturbed(t, UvOf(strip), 0.1);
+  const SeamReport before = MeasureSeams(t, slit, {}, surface.angles, start);
+  ASSERT_EQ(before.seams.size(), 1u);
+  std::vector<bool> held(t.num_vertices, false);
+  held[0] = held[5] = true;
+  for (const std::string& name : StretchEnergies().Names()) {
+    SCOPED_TRACE(name);
+    CornerUv uv = start;
+    const auto done = Stretch({surface, slit, before.seams, held}, name, 40, &uv);
+    ASSERT_TRUE(done.ok());
+    EXPECT_LT(done->after, 0.9 * done->before);
+    EXPECT_TRUE(FlippedFaces(t, uv).empty());
+    const SeamReport after = MeasureSeams(t, slit, {}, surface.angles, uv);
+    EXPECT_LT(after.max_length_mismatch, 1e-8);
+    EXPECT_LT(after.max_gap, 1e-8);
+    for (Index c = 0; c < t.num_halfedges(); ++c) {
+      EXPECT_EQ(uv.value[c] == start.value[c], held[t.vertex[c]]) << c;
+    }
+  }
+}
+
+TEST(RefineStretch, MoreWeightOnAreaKeepsAreasBetterAndAnglesWorse) {
+  const Surface cap = GeneratedSurface("hemisphere", 400);
+  const Triangulation& t = cap.triangulation;
+  const EdgeLengths lengths = MeasureEdgeLengths(cap);
+  const IntrinsicSurface surface = MeasureSurface(t, lengths);
+  const Cut none = NoCut(t);
+  double areas_before = 1e300, angles_before = -1;
+  for (const double weight : {0.0, 0.2, 0.5, 0.8}) {
+    CornerUv uv;
+    for (const Index v : t.vertex) uv.value.push_back(cap.position[v].head<2>());
+    const auto done =
+        RefineStretch({surface, none, {}}, *StretchEnergies().Find("area"),
+                      {.steps = 200, .decrease = 1e-9, .weight = weight}, nullptr, &uv);
+    ASSERT_TRUE(done.ok());
+    StretchEnergy angles = *StretchEnergies().Find("area"), areas = angles;
+    angles.weight = 0, areas.weight = 1;
+    const OpenedMap map({surface, none, {}}, uv, 0);
+    OpenedMap copy = map;
+    const double of_areas =
+        StretchOf(map.faces(), areas, BestUnit(map.faces(), areas, copy.z()), copy.z());
+    const double of_angles = StretchOf(map.faces(), angles, 1, copy.z());
+    EXPECT_LT(of_areas, areas_before);
+    EXPECT_GT(of_angles, angles_before);
+    areas_before = of_areas, angles_before = of_angles;
+  }
+}
+
+TEST(RefineStretch, EndsWhenCancelledAndLeavesTheMap) {
+  const Surface strip = FlatStrip(4, 4);
+  const Triangulation& t = strip.triangulation;
+  const EdgeLengths lengths = MeasureEdgeLengths(strip);
+  const Cut none = NoCut(t);
+  const CornerUv start = Perturbed(t, UvOf(strip), 0.1);
+  CornerUv uv = start;
+  const std::atomic<bool> cancelled = true;
+  const auto done = Stretch({MeasureSurface(t, lengths), none, {}}, "arap", 5, &uv, &cancelled);
+  EXPECT_EQ(done.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(uv.value, start.value);
 }
 
 TEST(RefineMap, EndsWhenCancelledAndLeavesTheMap) {

@@ -1,5 +1,7 @@
 #include "cirque/mesh/ear_cutting.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -100,6 +102,75 @@ TEST(EarCutting, FillsStarsInAnyPlaneOfAnySize) {
     SCOPED_TRACE(n);
     ExpectFilled(star);
   }
+}
+
+// A square with a square hole, round which it goes along a bridge from (0, 0) to (1, 1).
+const Points kKeyhole =
+    InPlane({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}});
+
+TEST(EarCutting, FillsAKeyholeAndLeavesItsHole) {
+  Points polygon = kKeyhole;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    SCOPED_TRACE(i);
+    ExpectFilled(polygon);  // of area 8, not 9
+    std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+  }
+}
+
+TEST(EarCutting, FillsKeyholesWithTwoHolesAndWithABridgeBetweenHoles) {
+  // Squares [1, 2]^2 and [3, 4] x [1, 2] in [0, 5] x [0, 3], the second bridged to the first.
+  ExpectFilled(InPlane({{0, 0},
+                        {5, 0},
+                        {5, 3},
+                        {0, 3},
+                        {0, 0},
+                        {1, 1},
+                        {1, 2},
+                        {2, 2},
+                        {2, 1},
+                        {3, 1},
+                        {3, 2},
+                        {4, 2},
+                        {4, 1},
+                        {3, 1},
+                        {2, 1},
+                        {1, 1}}));
+}
+
+TEST(EarCutting, TheTrianglesDoNotDependOnWhereThePolygonBegins) {
+  for (Points polygon : {kL, kSpiral, kSquareOfTwelve, kKeyhole}) {
+    const auto places = [&](std::size_t shift) {
+      std::multiset<std::array<double, 6>> triangles;
+      for (const auto& t : CutEars(polygon)) {
+        std::array<std::pair<double, double>, 3> corners;
+        for (int k = 0; k < 3; ++k) corners[k] = {polygon[t[k]].x(), polygon[t[k]].y()};
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+                    corners.end());
+        triangles.insert({corners[0].first, corners[0].second, corners[1].first, corners[1].second,
+                          corners[2].first, corners[2].second});
+      }
+      EXPECT_EQ(triangles.size(), polygon.size() - 2) << shift;
+      return triangles;
+    };
+    const auto first = places(0);
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+      std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+      EXPECT_EQ(places(i), first) << i;
+    }
+  }
+}
+
+TEST(EarCutting, AConvexPolygonOfManyCornersIsCutFromAllSides) {
+  Points circle;
+  for (int i = 0; i < 1000; ++i) {
+    circle.emplace_back(std::cos(2 * kPi * i / 1000), std::sin(2 * kPi * i / 1000), 0);
+  }
+  ExpectFilled(circle);
+  std::vector<int> triangles(1000, 0);
+  for (const auto& t : CutEars(circle)) {
+    for (const Index v : t) ++triangles[v];
+  }
+  EXPECT_LE(*std::max_element(triangles.begin(), triangles.end()), 24);  // not a fan
 }
 
 TEST(EarCutting, WhatIsNoSimplePolygonHasNoTriangles) {

@@ -42,6 +42,9 @@ void ExpectFilled(const Surface& input, const FilledSurface& filled, Index loops
   for (Index f = 0; f < after.num_faces(); ++f) {
     EXPECT_EQ(filled.surface.soup_polygon[f] == kNone, f >= filled.num_input_faces);
   }
+  for (Index h = 0; h < after.num_halfedges(); ++h) {
+    EXPECT_EQ(filled.surface.soup_corner[h] == kNone, h >= 3 * filled.num_input_faces);
+  }
   for (Index v = 0; v < after.num_vertices; ++v) {
     EXPECT_EQ(filled.surface.soup_vertex[v] == kNone, v >= filled.num_input_vertices);
   }

@@ -110,14 +110,15 @@ TEST(Preflight, KeepsOrderAndOrientationOfASoundMesh) {
   EXPECT_THAT(surface.soup_polygon, ElementsAre(0, 1, 2, 3));
 }
 
-TEST(Preflight, SplitsPolygonsIntoFans) {
+TEST(Preflight, SplitsPolygonsAndKnowsTheirCorners) {
   PreflightReport report;
   const Surface surface =
       Accepted(MakeSoup({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {2, 0, 0}},
                         {{0, 1, 2, 3, 4}, {1, 5, 2}}),
                &report);
-  EXPECT_THAT(surface.triangulation.vertex, ElementsAre(0, 1, 2, 0, 2, 3, 0, 3, 4, 1, 5, 2));
+  EXPECT_THAT(surface.triangulation.vertex, ElementsAre(4, 0, 1, 3, 4, 1, 3, 1, 2, 1, 5, 2));
   EXPECT_THAT(surface.soup_polygon, ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(surface.soup_corner, ElementsAre(4, 0, 1, 3, 4, 1, 3, 1, 2, 5, 6, 7));
   EXPECT_EQ(report.num_triangles, 4);
 }
 
@@ -209,7 +210,7 @@ TEST(Preflight, RefusesABowtie) {
                              {{0, 1, 2}, {0, 3, 4}}),
                     &report),
             "- 1 vertex where the surface touches itself (the faces there are not one fan): 1; "
-            "split the mesh there, one copy of the vertex for each fan");
+            "split the mesh there, or let circle_patterns --repair=safe do it");
   EXPECT_EQ(report.components, 1);
   EXPECT_EQ(report.genus, kNone);
 }
@@ -221,7 +222,7 @@ TEST(Preflight, RefusesThreeFacesOnAnEdge) {
                        {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}),
               &report),
       HasSubstr("- 1 edge with more than two faces, between vertices 1-2; remove the "
-                "surplus faces, or duplicate the vertices so that the sheets come apart\n"));
+                "surplus faces, or let circle_patterns --repair=safe take the sheets apart\n"));
   EXPECT_THAT(report.non_manifold_edges, ElementsAre(Pair(0, 1)));
   EXPECT_THAT(report.non_manifold_vertices, ElementsAre(0, 1));
 }
@@ -257,7 +258,7 @@ TEST(Preflight, RefusesZeroAreasAtEveryScale) {
     Accepted(needle(2e-12), &report);
     EXPECT_EQ(Refused(needle(5e-13), &report),
               "- 1 face of zero area, whose angles are undefined: 1; collapse an edge of each, or "
-              "move a vertex");
+              "let circle_patterns --repair=safe set them aside");
   }
   PreflightReport report;
   Refused(MakeSoup({{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}, {{0, 1, 2}}), &report);
@@ -301,9 +302,11 @@ TEST(Preflight, NamesAllProblemsAtOnce) {
                              {{0, 1, 2}, {0, 1, 3}, {0, 2, 2}, {2, 1, 4}, {5, 6, 7, 6}, {5, 6, 7}}),
                     &report),
             "- 1 vertex with coordinates that are not finite: 5; correct them\n"
-            "- 2 faces with the same vertex twice: 3, 5; remove or correct them\n"
+            "- 2 faces with the same vertex twice: 3, 5; correct them, or let circle_patterns "
+            "--repair=safe trim them "
+            "or set them aside\n"
             "- 1 face of zero area, whose angles are undefined: 2; collapse an edge of each, or "
-            "move a vertex\n"
+            "let circle_patterns --repair=safe set them aside\n"
             "- 2 components (4 faces from face 1 on, 2 faces from face 5 on); keep one of them in "
             "a file");
   EXPECT_THAT(report.repeated_vertex_faces, ElementsAre(2, 4));

@@ -60,5 +60,49 @@ TEST(AttachUv, EveryCornerGetsItsOwnUvBack) {
   }
 }
 
+/// A quadrilateral and a triangle that runs against it.
+PolygonSoup QuadAndTurnedTriangle() {
+  return testing::MakeSoup({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}},
+                           {{0, 1, 2, 3}, {1, 2, 4}});
+}
+
+TEST(AttachUv, WritesPolygonsAndTurnedFacesAsTheyStandInTheFile) {
+  const PolygonSoup input = QuadAndTurnedTriangle();
+  const Surface surface = SurfaceOf(input);
+  CornerUv uv;
+  for (const Index v : surface.triangulation.vertex) {
+    uv.value.emplace_back(surface.position[v].head<2>());
+  }
+  const PolygonSoup soup = AttachUv(input, surface, uv);
+  EXPECT_EQ(soup.first_corner, input.first_corner);
+  EXPECT_EQ(soup.corner, input.corner);
+  for (std::size_t c = 0; c < soup.corner.size(); ++c) {
+    EXPECT_EQ(soup.texture[soup.corner_texture[c]], input.position[input.corner[c]].head<2>());
+  }
+}
+
+TEST(AttachUv, APolygonTornAlongADiagonalComesAsItsTriangles) {
+  const PolygonSoup input = QuadAndTurnedTriangle();
+  const Surface surface = SurfaceOf(input);
+  CornerUv uv;
+  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) uv.value.emplace_back(h, 1);
+  const PolygonSoup soup = AttachUv(input, surface, uv);
+  EXPECT_THAT(soup.first_corner, ElementsAre(0, 3, 6, 9));
+  for (Index h = 0; h < 6; ++h) {
+    EXPECT_EQ(soup.corner[h], input.corner[surface.soup_corner[h]]);
+    EXPECT_EQ(soup.texture[soup.corner_texture[h]], uv.value[h]);
+  }
+  EXPECT_THAT(std::vector<Index>(soup.corner.begin() + 6, soup.corner.end()), ElementsAre(1, 2, 4));
+  // Corner by corner of the input it is one of its triangles' at each.
+  const std::vector<Eigen::Vector2d> of_corner = UvOfCorners(input, {{surface, uv}});
+  ASSERT_EQ(of_corner.size(), input.corner.size());
+  std::vector<bool> seen(of_corner.size(), false);
+  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
+    const Index c = surface.soup_corner[h];
+    if (of_corner[c] == uv.value[h]) seen[c] = true;
+  }
+  EXPECT_THAT(seen, ::testing::Each(true));
+}
+
 }  // namespace
 }  // namespace cirque

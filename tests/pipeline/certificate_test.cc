@@ -27,7 +27,7 @@ Certificate WithAllSummaries() {
   Fill(&c.triangulation), Fill(&c.angle_fit), Fill(&c.radii), Fill(&c.cone_repair);
   Fill(&c.cone_refinement), Fill(&c.layout), Fill(&c.seams), Fill(&c.map_refinement);
   Fill(&c.distortion), Fill(&c.sphere), Fill(&c.disk), Fill(&c.half_plane), Fill(&c.polygon);
-  Fill(&c.process);
+  Fill(&c.process), Fill(&c.injectivity), Fill(&c.periodic);
   return c;
 }
 

@@ -13,15 +13,18 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
-  // One field more does not compile here until it is bound, and counted in the table.
-  [[maybe_unused]] const auto& [triangulation, angle_objective, angle_solver, radii_solver, layout,
-                                cones, cone_budget, cone_angles, refine_cones, refine_map, seams,
-                                cut_cost, edge_costs, epsilon, max_iterations, strict] =
+  // One field more does not compile here until it is bound, and counted in the table, which has all
+  // but the last three.
+  [[maybe_unused]] const auto& [pattern, triangulation, retriangulate, angle_objective,
+                                angle_solver, radii_solver, layout, cones, cone_budget, cone_angles,
+                                holonomy, boundary, refine_cones, refine_map, seams, cut_cost,
+                                edge_costs, epsilon, max_iterations, solve_at, exact_limit,
+                                injective, strict, exact, own_objective, own_cones] =
       ParameterizeOptions();
-  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 16u);
-  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, axes,
+  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 23u);
+  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, pins, axes,
                                 inversion] = DomainOptions();
-  EXPECT_EQ(DomainOptionTable().Names().size(), 8u);
+  EXPECT_EQ(DomainOptionTable().Names().size(), 9u);
 }
 
 TEST(ParameterizeOptions, DefaultsAreValidAndEveryOptionIsExplained) {
@@ -89,6 +92,10 @@ TEST(CheckOptions, TextsWithOptionsOfTheirOwnAreCheckedWithoutASurface) {
   EXPECT_THAT(message({{"cone_angles", "pi/4"}}), HasSubstr("is not one of free, pi/2, pi/3"));
   EXPECT_THAT(message({{"cone_angles", "ranges:width=9"}}), HasSubstr("width = '9'"));
   EXPECT_THAT(message({{"refine_map", "mipz"}}), HasSubstr("did you mean 'mips'"));
+  EXPECT_THAT(message({{"refine_map", "arp"}}), HasSubstr("did you mean 'arap'"));
+  EXPECT_EQ(message({{"refine_map", "area:weight=0.3,steps=4"}}), "");
+  EXPECT_THAT(message({{"refine_map", "area:weight=1.5"}}), HasSubstr("weight"));
+  EXPECT_THAT(message({{"refine_map", "arap:weight=0.5"}}), HasSubstr("weight"));
   EXPECT_THAT(message({{"refine_map", "mips:decrease=2"}}),
               HasSubstr("decrease = '2' is not a number in [0, 1]"));
   EXPECT_THAT(message({{"layout", "direction"}}), HasSubstr("did you mean 'directions'?"));

@@ -15,6 +15,7 @@
 #include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
+#include "tests/mesh/meshes.h"
 
 namespace cirque {
 namespace {
@@ -120,14 +121,54 @@ TEST(Parameterize, SeveralPatchesArePackedIntoTheUnitSquare) {
   }
 }
 
-TEST(Parameterize, ACutThatMissesAConeIsRefused) {
+TEST(Parameterize, ACutThatMissesConesIsLedThroughThem) {
   const Surface surface = GeneratedSurface("sphere", 400);
   const Triangulation& t = surface.triangulation;
-  Cut nothing = {std::vector<bool>(t.num_edges(), false)};
+  Cut one_edge = {std::vector<bool>(t.num_edges(), false)};
+  one_edge.edge[0] = true;
   Parameterization map;
-  const Status status = Parameterize(surface, {{}, *DefaultTargets(surface), nothing}, {}, &map);
+  const Status status = Parameterize(surface, {{}, *DefaultTargets(surface), one_edge}, {}, &map);
+  ASSERT_TRUE(status.ok()) << status.message();
+  EXPECT_TRUE(map.cut.edge[0]);
+  EXPECT_EQ(map.certificate.layout->given_cut_edges, 1);
+  EXPECT_GT(map.certificate.layout->further_cut_edges, 1);
+  EXPECT_EQ(map.certificate.layout->flipped_triangles, 0);
+}
+
+/// Opens a closed surface along a path from its first vertex to that farthest from it.
+Parameterization OpenedAlongAPath(const char* generator) {
+  const Surface surface = GeneratedSurface(generator, 600);
+  const Triangulation& t = surface.triangulation;
+  const auto distance = [&](Index v) { return (surface.position[v] - surface.position[0]).norm(); };
+  Index far = 0;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (distance(v) > distance(far)) far = v;
+  }
+  const Cut cut = *CutAlongShortestPaths(t, MeasureEdgeLengths(surface).value, {{0, far}});
+  Parameterization map;
+  const Status status = Parameterize(surface, {{}, {}, cut}, {}, &map);
+  EXPECT_TRUE(status.ok()) << generator << ": " << status.message();
+  for (Index e = 0; e < t.num_edges(); ++e) EXPECT_TRUE(!cut.edge[e] || map.cut.edge[e]);
+  EXPECT_EQ(map.certificate.layout->given_cut_edges,
+            std::count(cut.edge.begin(), cut.edge.end(), true));
+  EXPECT_EQ(map.certificate.layout->cones, 0);
+  return map;
+}
+
+TEST(Parameterize, AClosedSurfaceIsOpenedAlongTheGivenCutWithoutCones) {
+  // A sphere is a disk then, and all of the boundary is free; a torus needs more.
+  EXPECT_EQ(OpenedAlongAPath("sphere").certificate.layout->further_cut_edges, 0);
+  EXPECT_GT(OpenedAlongAPath("torus").certificate.layout->further_cut_edges, 4);
+}
+
+TEST(Parameterize, ACutThroughThePolygonsIsRefusedByName) {
+  const Surface torus = SurfaceOf(testing::Torus());
+  const std::vector<bool> inside = EdgesInsidePolygons(torus);
+  Parameterization map;
+  const Status status = Parameterize(torus, {{}, {}, Cut{inside}}, {}, &map);
   EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
-  EXPECT_TRUE(map.uv.value.empty());
+  EXPECT_NE(status.message().find("inside of faces 0, 1, 2"), std::string::npos)
+      << status.message();
 }
 
 TEST(Parameterize, FlipsRemoveWhatMakesAKleetopeInfeasible) {

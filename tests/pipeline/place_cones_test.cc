@@ -1,9 +1,14 @@
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/cones/cone.h"
+#include "cirque/cones/cone_heuristic.h"
+#include "cirque/cones/registry.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/cone_stages.h"
 
@@ -53,6 +58,60 @@ TEST(PlaceCones, ATorusGetsConesWhereItsAreaWouldRangeFar) {
   EXPECT_TRUE(ConesOf(torus.triangulation, *plain).empty());
   EXPECT_EQ(ConesOf(spiked.triangulation, *placed).size(), 8u);
   EXPECT_NEAR(TotalCurvature(spiked.triangulation, *placed), 0, 1e-9);
+}
+
+/// The surface without the face whose vertices have fewest corners.
+Surface Punctured(const Surface& surface) {
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index> corners = CornersPerVertex(t);
+  const auto around = [&](Index f) {
+    return corners[t.vertex[3 * f]] + corners[t.vertex[3 * f + 1]] + corners[t.vertex[3 * f + 2]];
+  };
+  Index fewest = 0;
+  for (Index f = 1; f < t.num_faces(); ++f) {
+    if (around(f) < around(fewest)) fewest = f;
+  }
+  PolygonSoup soup = TrianglesOf(surface);
+  soup.corner.erase(soup.corner.begin() + 3 * fewest, soup.corner.begin() + 3 * fewest + 3);
+  soup.first_corner.pop_back();
+  return SurfaceOf(soup);
+}
+
+TEST(PlaceCones, HandlesNeedThemWhereTheBoundaryCannotTurnSoFar) {
+  const Surface surface = Punctured(GeneratedSurface("double_torus", 400));
+  const auto targets = Place(surface, {});
+  ASSERT_TRUE(targets.ok()) << targets.status().message();
+  EXPECT_GE(ConesOf(surface.triangulation, *targets).size(), 8u);
+  EXPECT_LT(TotalCurvature(surface.triangulation, *targets), 0);
+}
+
+/// By what power of e areas range with so many cones by greedy, as the linear model predicts.
+double PredictedRange(const ConeProblem& problem, int cones) {
+  const auto chosen =
+      (*MakeConeHeuristic("greedy", {{"cones", std::to_string(cones)}}))->Choose(problem);
+  const Eigen::VectorXd u = PredictedLogScale(problem, *chosen);
+  return 2 * (u.maxCoeff() - u.minCoeff());
+}
+
+TEST(PlaceCones, OneChartGetsAsManyAsItNeeds) {
+  const Surface needle = Moved(GeneratedSurface("sphere", 8000), [](const Eigen::Vector3d& x) {
+    return Eigen::Vector3d(100 * x.x(), x.y(), x.z());
+  });
+  const EdgeLengths lengths = MeasureEdgeLengths(needle);
+  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(needle.triangulation, lengths);
+  const ConeProblem problem(delaunay.triangulation, delaunay.lengths);
+  const IntrinsicSurface measured = MeasureSurface(needle.triangulation, lengths);
+  const int count = ConesForOneChart(measured, 4);
+  EXPECT_GT(count, 4);
+  EXPECT_GT(PredictedRange(problem, count / 2), 28);
+  EXPECT_LE(PredictedRange(problem, count), 28);
+  EXPECT_EQ(ConesForOneChart(measured, 1000), 1000);
+  const Surface sphere = GeneratedSurface("sphere", 400);
+  EXPECT_EQ(ConesForOneChart(MeasureSurface(sphere.triangulation, MeasureEdgeLengths(sphere)), 4),
+            4);
+  const auto placed = Place(needle, {});
+  ASSERT_TRUE(placed.ok());
+  EXPECT_GE(ConesOf(needle.triangulation, *placed).size(), 8u);
 }
 
 TEST(PlaceCones, ABoundaryNeedsNone) {

@@ -56,8 +56,12 @@ std::vector<std::string> LinksOf(const std::string& text) {
 
 TEST(Documents, LinksLeadToFiles) {
   int count = 0;
-  for (const std::string page : {"README.md", "CONTRIBUTING.md", "framework/docs/architecture.md",
-                                 "framework/docs/mathematics.md", "framework/docs/errata.md"}) {
+  for (const std::string page :
+       {"README.md", "CONTRIBUTING.md", "framework/docs/architecture.md",
+        "framework/docs/mathematics.md", "framework/docs/errata.md", "framework/docs/programs.md",
+        "framework/docs/concepts.md", "framework/docs/reference/core.md", "framework/docs/maps.md",
+        "framework/docs/measures.md", "framework/docs/experiments.md",
+        "framework/docs/building.md"}) {
     const std::filesystem::path folder = std::filesystem::path(ProjectPath(page)).parent_path();
     for (const std::string& link : LinksOf(ReadAll(ProjectPath(page)))) {
       EXPECT_TRUE(std::filesystem::exists(folder / link)) << page << ": " << link;
@@ -66,6 +70,27 @@ TEST(Documents, LinksLeadToFiles) {
   }
   EXPECT_GT(count, 10);
 }
+
+TEST(Documents, TheReferenceHasEveryPublicHeaderOnAPageOfTheSite) {
+  const auto run = RunShell("'" + ProjectPath("framework/docs/reference.py") + "'");
+  ASSERT_EQ(run.exit_status, 0) << run.output;
+  const std::string index = ReadAll(ProjectPath("framework/docs/index.md"));
+  for (const std::string& header : PublicHeaders()) {
+    EXPECT_THAT(run.output, testing::HasSubstr("\n## " + header + "\n")) << header;
+    const std::string folder = std::filesystem::path(header).parent_path().filename();
+    EXPECT_THAT(index, testing::HasSubstr("\nreference/" + folder + "\n")) << header;
+    const std::string page = ProjectPath("framework/docs/reference/" + folder + ".md");
+    EXPECT_TRUE(std::filesystem::exists(page)) << page;
+  }
+  EXPECT_THAT(run.output, testing::HasSubstr("\n### MapSurface\n"));
+  // The docstring in front of its declaration, and nothing that is not for users.
+  EXPECT_THAT(run.output,
+              testing::HasSubstr("V - E + F.\n\n```cpp\nIndex EulerCharacteristic(const "
+                                 "Triangulation& triangulation);\n```"));
+  EXPECT_THAT(run.output, testing::Not(testing::HasSubstr("private:")));
+}
+
+TEST(Documents, TheReadmeIsShort) { EXPECT_LE(ReadAll(ProjectPath("README.md")).size(), 6000u); }
 
 int NumLines(const std::string& path) {
   const std::string text = ReadAll(ProjectPath(path));

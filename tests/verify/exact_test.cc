@@ -48,16 +48,16 @@ TEST(VerifyMapExact, OrientationSurvivesUnderflowAndOverflow) {
 
 TEST(VerifyMapExact, SectorsOfEverySizeKnowTheirInside) {
   const Point o(0, 0), east(1, 0), north(0, 1), west(-1, 0), south(0, -1);
-  EXPECT_TRUE(Contains({o, east, north}, {1, 1}));
-  EXPECT_FALSE(Contains({o, east, north}, {-1, -1}));
-  EXPECT_FALSE(Contains({o, east, north}, {2, 0}));
-  EXPECT_TRUE(Contains({o, east, west}, {0, 1}));
-  EXPECT_FALSE(Contains({o, east, west}, {0, -1}));
-  EXPECT_TRUE(Contains({o, east, south}, {-1, 0.5}));
-  EXPECT_FALSE(Contains({o, east, south}, {1, -1}));
-  EXPECT_FALSE(Contains({o, east, south}, {0, -3}));
-  EXPECT_TRUE(Contains({o, east, east}, {-1, 0}));
-  EXPECT_FALSE(Contains({o, east, east}, {5, 0}));
+  EXPECT_TRUE(IsInSector({o, east, north}, {1, 1}));
+  EXPECT_FALSE(IsInSector({o, east, north}, {-1, -1}));
+  EXPECT_FALSE(IsInSector({o, east, north}, {2, 0}));
+  EXPECT_TRUE(IsInSector({o, east, west}, {0, 1}));
+  EXPECT_FALSE(IsInSector({o, east, west}, {0, -1}));
+  EXPECT_TRUE(IsInSector({o, east, south}, {-1, 0.5}));
+  EXPECT_FALSE(IsInSector({o, east, south}, {1, -1}));
+  EXPECT_FALSE(IsInSector({o, east, south}, {0, -3}));
+  EXPECT_TRUE(IsInSector({o, east, east}, {-1, 0}));
+  EXPECT_FALSE(IsInSector({o, east, east}, {5, 0}));
 }
 
 }  // namespace

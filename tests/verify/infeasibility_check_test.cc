@@ -210,5 +210,51 @@ TEST(VerifyMapInfeasibility, CertificatesAreReadAndTheirFaultsNamed) {
             "not a JSON object");
 }
 
+TEST(NamedTriangles, ACertificateIsAboutTheTrianglesThatItNames) {
+  // A quad mesh: pairs of pieces across the base edges, 6 quads around 4 vertices of three each.
+  const Kleetope k = Stellate(Tetrahedron());
+  const PolygonSoup& pieces = k.mesh;
+  PolygonSoup quads = MakeSoup(pieces.position, {});
+  InfeasibilityCertificate certificate = CertificateOf(k, 0);
+  for (Index f = 0; f < 12; ++f) {
+    for (Index g = f + 1; g < 12; ++g) {
+      const Index *a = &pieces.corner[3 * f], *b = &pieces.corner[3 * g];
+      if (a[0] != b[1] || a[1] != b[0]) continue;
+      // Across the base edge a[0] a[1], which is the quad's diagonal.
+      const auto q = quads.num_polygons();
+      for (const Index v : {a[2], a[0], b[2], a[1]}) quads.corner.push_back(v);
+      quads.first_corner.push_back(static_cast<Index>(quads.corner.size()));
+      certificate.triangle_face.insert(certificate.triangle_face.end(), {q, q});
+      for (const Index corner : {1, 3, 0, 3, 1, 2}) certificate.triangle_corner.push_back(corner);
+    }
+  }
+  ASSERT_EQ(quads.num_polygons(), 6);
+  const StatusOr<InfeasibilityReport> report = CheckInfeasibility(certificate, quads);
+  ASSERT_TRUE(report.ok()) << report.status().message();
+  EXPECT_TRUE(report->accepted()) << report->Verdict();
+  EXPECT_TRUE(report->proves_asked);
+  EXPECT_TRUE(report->names_triangles);
+  // Along the other diagonals the vertices in the middle have six triangles, and all is well.
+  InfeasibilityCertificate other = certificate;
+  for (std::size_t i = 0; i < other.triangle_corner.size(); i += 6) {
+    const Index corners[] = {0, 1, 2, 2, 3, 0};
+    std::copy(std::begin(corners), std::end(corners),
+              other.triangle_corner.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  EXPECT_THAT(CheckInfeasibility(other, quads)->Verdict(), HasSubstr("the inequality fails"));
+  // Triangles that do not fill their face, that are none, or too few.
+  InfeasibilityCertificate twice = certificate;
+  twice.triangle_corner[3] = 1;
+  twice.triangle_corner[4] = 3;
+  EXPECT_THAT(CheckInfeasibility(twice, quads)->Verdict(), HasSubstr("of face 0 do not fill it"));
+  twice.triangle_corner[3] = 9;
+  EXPECT_THAT(CheckInfeasibility(twice, quads)->Verdict(), HasSubstr("of face 0 do not fill it"));
+  InfeasibilityCertificate foreign = certificate;
+  foreign.triangle_face[0] = 6;
+  EXPECT_THAT(CheckInfeasibility(foreign, quads)->Verdict(), HasSubstr("triangle_face[0] = 6"));
+  foreign.triangle_corner.pop_back();
+  EXPECT_THAT(CheckInfeasibility(foreign, quads)->Verdict(), HasSubstr("35 entries instead of 36"));
+}
+
 }  // namespace
 }  // namespace cirque::verify

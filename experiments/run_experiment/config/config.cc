@@ -87,7 +87,7 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   MeshEntries entries = ResolveMeshes(document["meshes"], root, seeds, problems);
   if (!problems->empty()) return;
   config->figures = ReadFigures(document["figures"], problems);
-  const std::vector<MethodSpec> methods = ReadMethods(document["methods"], problems);
+  const std::vector<MethodSpec> methods = ReadMethods(document["methods"], root, problems);
   const int repeats = static_cast<int>(*ParseInteger(TextOr(document, "repeats", "1")));
   const double count = static_cast<double>(entries.meshes.size() * methods.size()) * repeats;
   if (count > kMaxRuns) {

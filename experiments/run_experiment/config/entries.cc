@@ -1,7 +1,9 @@
 #include "experiments/run_experiment/config/entries.h"
 
+#include <filesystem>
 #include <map>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
@@ -9,6 +11,8 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
 
+#include "experiments/run_experiment/config/mesh_sources.h"
+#include "experiments/run_experiment/config/method_files.h"
 #include "experiments/run_experiment/config/quantities.h"
 #include "experiments/run_experiment/config/schema.h"
 
@@ -41,6 +45,8 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
   for (const auto& [key, value, varies] : combination.settings) {
     if (key == "domain") {
       method.domain = value;
+    } else if (key == "exact") {
+      method.options.exact = value == "true";
     } else {
       given[key] = value;
     }
@@ -49,6 +55,21 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
   const Status status = ParameterizeOptionTable().Set(given, &method.options);
   CHECK(status.ok()) << status.message();  // the schema has let it pass
   return method;
+}
+
+/// Paths that the method names become absolute; a file that is not there is a problem.
+void FindFiles(const YAML::Node& entry, const std::string& root, ParameterizeOptions* options,
+               Diagnostics* problems) {
+  const TakeFile find = [&](const std::string& key, std::string* path) {
+    *path = AbsolutePath(root, *path);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(*path, error)) {
+      problems->Add(PlaceOf(entry[key]), fmt::format("{}: there is no file '{}'", key, *path));
+    }
+    return Status();
+  };
+  const Status always = ForEachFile(find, options);
+  CHECK(always.ok()) << always.message();
 }
 
 std::vector<std::string> ValuesOf(const YAML::Node& value) {
@@ -92,7 +113,8 @@ nlohmann::json ReadFigure(const YAML::Node& entry, const std::string& kind) {
 
 }  // namespace
 
-std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problems) {
+std::vector<MethodSpec> ReadMethods(const YAML::Node& list, const std::string& root,
+                                    Diagnostics* problems) {
   std::vector<MethodSpec> methods;
   std::map<std::string, Place> first_of_name;
   for (const YAML::Node& entry : list) {
@@ -109,6 +131,7 @@ std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problem
     }
     for (const Combination& combination : Combine(axes)) {
       methods.push_back(MakeMethod(name.Scalar(), combination));
+      FindFiles(entry, root, &methods.back().options, problems);
       const Status status = CheckOptions(methods.back().options);
       if (!status.ok()) problems->Add(PlaceOf(entry), status.message());
     }

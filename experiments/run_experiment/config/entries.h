@@ -52,9 +52,10 @@ MeshEntries ResolveMeshes(const YAML::Node& list, const std::string& root,
                           const std::vector<std::string>& seeds, Diagnostics* problems);
 
 /// The methods of a config, which the schema has let pass, their lists of values expanded.
-/// Reported: two equal names, a key that has no meaning for a domain of the entry, and options that do
-/// not go together.
-std::vector<MethodSpec> ReadMethods(const YAML::Node& list, Diagnostics* problems);
+/// Relative paths of files start at `root`. Reported: two equal names, a key that has no meaning for a
+/// domain of the entry, options that do not go together, files that are not there.
+std::vector<MethodSpec> ReadMethods(const YAML::Node& list, const std::string& root,
+                                    Diagnostics* problems);
 
 /// The list `figures` of a config, which the schema has let pass, as the report reads it from
 /// figures.json: a list of objects with `kind`, `title`, `scale`, and `x`, `y`, `by` as objects of

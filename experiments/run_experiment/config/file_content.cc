@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -72,10 +73,6 @@ Status Seek(const std::string& path, const std::string& member, ::archive* handl
                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
 }
 
-}  // namespace
-
-namespace {
-
 /// The most bytes that a member of the archive may have.
 std::uintmax_t MostContent(const std::string& archive) {
   std::error_code error;
@@ -83,17 +80,14 @@ std::uintmax_t MostContent(const std::string& archive) {
   return error ? kHarmlessSize : std::max(kHarmlessSize, size * kMostGrowth);
 }
 
-}  // namespace
-
-StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member) {
-  StatusOr<ArchiveHandle> handle = Open(archive);
-  if (!handle.ok()) return handle.status();
-  if (Status status = Seek(archive, member, handle->get()); !status.ok()) return status;
+/// The content of the member whose header was read last.
+StatusOr<std::string> ReadContent(const std::string& archive, const std::string& member,
+                                  ::archive* handle) {
   const std::uintmax_t most = MostContent(archive);
   std::string content;
   std::vector<char> block(kBlockSize);
   la_ssize_t size = 0;
-  while ((size = archive_read_data(handle->get(), block.data(), block.size())) > 0) {
+  while ((size = archive_read_data(handle, block.data(), block.size())) > 0) {
     content.append(block.data(), static_cast<std::size_t>(size));
     if (content.size() > most) {
       return Status::InvalidInput(fmt::format(
@@ -102,8 +96,56 @@ StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::s
           archive, member, most >> 20, kMostGrowth));
     }
   }
-  if (size < 0) return Failure(archive, handle->get());
+  if (size < 0) return Failure(archive, handle);
   return content;
+}
+
+/// Visits the files of an archive, at most kMostMembers; `visit` may read their content.
+Status VisitArchive(const std::string& path,
+                    const std::function<Status(const std::string& name, ::archive*)>& visit) {
+  const StatusOr<ArchiveHandle> handle = Open(path);
+  if (!handle.ok()) return handle.status();
+  archive_entry* entry = nullptr;
+  int code = ARCHIVE_OK;
+  std::size_t count = 0;
+  while ((code = archive_read_next_header(handle->get(), &entry)) == ARCHIVE_OK ||
+         code == ARCHIVE_WARN) {
+    const char* name = archive_entry_pathname(entry);
+    if (name == nullptr || archive_entry_filetype(entry) != AE_IFREG) continue;
+    if (++count > kMostMembers) {
+      return Status::InvalidInput(fmt::format("{} has more than {} members", path, kMostMembers));
+    }
+    if (Status status = visit(name, handle->get()); !status.ok()) return status;
+  }
+  return code == ARCHIVE_EOF ? Status() : Failure(path, handle->get());
+}
+
+}  // namespace
+
+StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member) {
+  StatusOr<ArchiveHandle> handle = Open(archive);
+  if (!handle.ok()) return handle.status();
+  if (Status status = Seek(archive, member, handle->get()); !status.ok()) return status;
+  return ReadContent(archive, member, handle->get());
+}
+
+StatusOr<std::vector<std::string>> ArchiveMembers(const std::string& archive) {
+  std::vector<std::string> names;
+  const Status status = VisitArchive(archive, [&](const std::string& name, ::archive*) {
+    names.push_back(name);
+    return Status();
+  });
+  return status.ok() ? StatusOr<std::vector<std::string>>(std::move(names)) : status;
+}
+
+Status ReadArchiveMembers(
+    const std::string& archive, const std::set<std::string>& members,
+    const std::function<Status(const std::string& member, const std::string& content)>& take) {
+  return VisitArchive(archive, [&](const std::string& name, ::archive* handle) {
+    if (!members.contains(name)) return Status();
+    const StatusOr<std::string> content = ReadContent(archive, name, handle);
+    return content.ok() ? take(name, *content) : content.status();
+  });
 }
 
 Status FindArchiveMember(const std::string& archive, const std::string& member) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cirque/core/status.h"
 
@@ -12,6 +15,16 @@ namespace cirque {
 /// unknown member, the nearest name in it; a member of more than 64 MiB that is also more than 200
 /// times as large as the archive is refused as a trap.
 StatusOr<std::string> ReadArchiveMember(const std::string& archive, const std::string& member);
+
+/// The names of the files in an archive, in its order.
+StatusOr<std::vector<std::string>> ArchiveMembers(const std::string& archive);
+
+/// Hands the content of each of the archive's members of these names to `take`, which is read once,
+/// in its order; ends with the first status that is not ok. Members that are not there are passed
+/// over; else the errors of ReadArchiveMember.
+Status ReadArchiveMembers(
+    const std::string& archive, const std::set<std::string>& members,
+    const std::function<Status(const std::string& member, const std::string& content)>& take);
 
 /// Whether the archive has the member, without reading its content; the same errors.
 Status FindArchiveMember(const std::string& archive, const std::string& member);

@@ -1,10 +1,7 @@
-#include <glob.h>
-
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +10,8 @@
 #include "experiments/run_experiment/config/config_text.h"
 #include "experiments/run_experiment/config/entries.h"
 #include "experiments/run_experiment/config/file_content.h"
+#include "experiments/run_experiment/config/mesh_condition.h"
+#include "experiments/run_experiment/config/mesh_sources.h"
 
 namespace cirque {
 namespace {
@@ -24,38 +23,35 @@ std::string TextOf(const YAML::Node& entry, const std::string& key) {
   return value && value.IsScalar() ? value.Scalar() : "";
 }
 
-/// The folder that $MESHES stands for: collections of meshes lie elsewhere on every machine.
-fs::path MeshFolder(const std::string& root) {
-  const char* folder = std::getenv("CIRQUE_MESHES");
-  return folder && *folder ? fs::absolute(folder) : fs::path(root) / "meshes";
-}
-
-std::string Absolute(const std::string& root, const std::string& path) {
-  constexpr std::string_view kMeshes = "$MESHES/";
-  const fs::path whole = path.starts_with(kMeshes) ? MeshFolder(root) / path.substr(kMeshes.size())
-                                                   : fs::path(root) / path;
-  return whole.lexically_normal().string();
-}
-
-/// The files that match, sorted; a path without wildcards matches itself if it exists.
-std::vector<std::string> MatchFiles(const std::string& pattern) {
-  std::vector<std::string> files;
-  std::error_code error;  // of links that lead in a circle
-  glob_t matches{};
-  if (glob(pattern.c_str(), 0, nullptr, &matches) == 0) {
-    for (std::size_t i = 0; i < matches.gl_pathc; ++i) {
-      if (fs::is_regular_file(matches.gl_pathv[i], error)) files.emplace_back(matches.gl_pathv[i]);
-    }
+/// Sets how it is repaired and how coarse or fine it is made; false: another key. A text that the schema has refused
+/// says nothing.
+bool SetFineness(const std::string& key, const std::string& text, MeshSpec* mesh) {
+  const auto number = static_cast<int>(ParseInteger(text).value_or(0));
+  if (key == "subdivision") {
+    mesh->subdivision = text;
+  } else if (key == "subdivisions") {
+    mesh->subdivisions = number;
+  } else if (key == "decimate") {
+    mesh->decimate = number;
+  } else if (key == "repair") {
+    mesh->repair = text;
+  } else {
+    return false;
   }
-  globfree(&matches);
-  if (files.empty() && fs::is_regular_file(pattern, error)) files.push_back(pattern);
-  return files;
+  return true;
 }
 
-/// A text that the schema has refused says nothing.
-void Subdivide(const std::string& text, MeshSpec* mesh) {
-  mesh->subdivisions = static_cast<int>(ParseInteger(text).value_or(0));
-  if (mesh->subdivisions > 0) mesh->name += fmt::format("-sub{}", mesh->subdivisions);
+void NameFineness(MeshSpec* mesh) {
+  if (mesh->repair != MeshSpec().repair) mesh->name += "-" + mesh->repair;
+  if (mesh->decimate > 0) mesh->name += fmt::format("-to{}", mesh->decimate);
+  if (mesh->subdivisions == 0) return;
+  const bool plain = mesh->subdivision == MeshSpec().subdivision;
+  mesh->name += fmt::format("-{}{}", plain ? "sub" : mesh->subdivision, mesh->subdivisions);
+}
+
+std::string NoFile(const std::string& path) {
+  const bool is_pattern = path.find_first_of("*?[") != std::string::npos;
+  return fmt::format("{} '{}'", is_pattern ? "no file matches" : "there is no file", path);
 }
 
 class Resolver {
@@ -68,9 +64,12 @@ class Resolver {
 
  private:
   void AddFiles(const YAML::Node& entry);
+  void AddCorpus(const YAML::Node& entry);
+  void AddFound(std::vector<MeshSpec> found, const YAML::Node& entry);
+  bool Select(const YAML::Node& entry, std::vector<MeshSpec>* found);
   void AddMember(const YAML::Node& entry);
   void AddGenerated(const YAML::Node& entry);
-  void AddMissing(const YAML::Node& entry, const YAML::Node& value, const std::string& path);
+  void AddMissing(const YAML::Node& entry, const YAML::Node& value, const std::string& what);
   void AddFinenesses(const MeshSpec& mesh, const YAML::Node& entry);
   void AddMesh(MeshSpec mesh, const YAML::Node& entry);
   void NoteWithoutSeeds(const YAML::Node& entry);
@@ -86,51 +85,85 @@ class Resolver {
 void Resolver::Add(const YAML::Node& entry) {
   if (!entry.IsMap()) return;
   if (!TextOf(entry, "file").empty()) AddFiles(entry);
+  if (!TextOf(entry, "corpus").empty()) AddCorpus(entry);
   if (!TextOf(entry, "archive").empty() && !TextOf(entry, "member").empty()) AddMember(entry);
   if (!TextOf(entry, "generator").empty()) AddGenerated(entry);
 }
 
 void Resolver::AddFiles(const YAML::Node& entry) {
-  const std::string path = Absolute(root_, TextOf(entry, "file"));
-  const std::vector<std::string> files = MatchFiles(path);
-  if (files.empty()) return AddMissing(entry, entry["file"], path);
+  const std::string path = AbsolutePath(root_, TextOf(entry, "file"));
+  std::vector<MeshSpec> files = MatchFiles(path);
+  if (files.empty()) return AddMissing(entry, entry["file"], NoFile(path));
+  AddFound(std::move(files), entry);
+}
+
+void Resolver::AddCorpus(const YAML::Node& entry) {
+  StatusOr<std::vector<MeshSpec>> meshes = MeshesOfCorpus(root_, TextOf(entry, "corpus"));
+  if (!meshes.ok()) return AddMissing(entry, entry["corpus"], meshes.status().message());
+  AddFound(*std::move(meshes), entry);
+}
+
+/// One or several meshes of an entry: an entry's name is that of the one, or begins those of several.
+void Resolver::AddFound(std::vector<MeshSpec> found, const YAML::Node& entry) {
   const std::string name = TextOf(entry, "name");
-  for (const std::string& file : files) {
-    MeshSpec mesh;
-    mesh.name = name.empty() ? fs::path(file).stem().string() : name;
-    if (files.size() > 1 && !name.empty())
-      mesh.name += fmt::format("-{}", fs::path(file).stem().string());
-    mesh.file = file;
-    mesh.family = mesh.name;
+  NameMeshes(&found);
+  const bool is_one = found.size() == 1;
+  if (!Select(entry, &found)) return;
+  for (MeshSpec& mesh : found) {
+    if (!name.empty()) mesh.family = mesh.name = is_one ? name : name + "-" + mesh.name;
     AddFinenesses(mesh, entry);
   }
   NoteWithoutSeeds(entry);
 }
 
+/// Keeps those that the entry's condition is for; false: it cannot be told.
+bool Resolver::Select(const YAML::Node& entry, std::vector<MeshSpec>* found) {
+  const std::string text = TextOf(entry, "where");
+  if (text.empty()) return true;
+  const StatusOr<MeshCondition> condition = ParseMeshCondition(text);
+  if (!condition.ok()) return false;  // The schema has refused it.
+  int num_no_surface = 0;
+  StatusOr<std::vector<MeshSpec>> selected = SelectMeshes(*found, *condition, &num_no_surface);
+  if (!selected.ok()) {
+    problems_.Add(PlaceOf(entry["where"]), selected.status().message());
+    return false;
+  }
+  std::string note =
+      fmt::format("{}: {} of {} meshes, those with {}", problems_.Locate(PlaceOf(entry["where"])),
+                  selected->size(), found->size(), text);
+  if (num_no_surface > 0) note += fmt::format("; {} are no surfaces", num_no_surface);
+  result_.notes.push_back(std::move(note));
+  *found = *std::move(selected);
+  return true;
+}
+
 void Resolver::AddMember(const YAML::Node& entry) {
   MeshSpec mesh;
-  mesh.archive = Absolute(root_, TextOf(entry, "archive"));
+  mesh.archive = AbsolutePath(root_, TextOf(entry, "archive"));
   mesh.member = TextOf(entry, "member");
-  const std::string name = TextOf(entry, "name");
-  mesh.family = mesh.name = name.empty() ? fs::path(mesh.member).stem().string() : name;
   std::error_code error;
   if (!fs::is_regular_file(mesh.archive, error)) {
-    return AddMissing(entry, entry["archive"], mesh.archive);
+    return AddMissing(entry, entry["archive"], NoFile(mesh.archive));
   }
   if (const Status status = FindArchiveMember(mesh.archive, mesh.member); !status.ok()) {
     return problems_.Add(PlaceOf(entry["member"]), status.message());
   }
-  AddFinenesses(mesh, entry);
-  NoteWithoutSeeds(entry);
+  AddFound({std::move(mesh)}, entry);
 }
 
-/// The mesh with every number of subdivisions that the entry lists.
+/// The mesh as coarse and fine as the entry lists.
 void Resolver::AddFinenesses(const MeshSpec& mesh, const YAML::Node& entry) {
   std::vector<Axis> axes = AxesOf(entry, ConfigSchema(), "meshes");
-  std::erase_if(axes, [](const Axis& axis) { return axis.key != "subdivisions"; });
+  std::erase_if(axes, [](const Axis& axis) {
+    MeshSpec ignored;
+    return !SetFineness(axis.key, "", &ignored);
+  });
   for (const Combination& combination : Combine(axes)) {
     MeshSpec fine = mesh;
-    for (const auto& setting : combination.settings) Subdivide(setting.value, &fine);
+    for (const auto& setting : combination.settings) {
+      SetFineness(setting.key, setting.value, &fine);
+    }
+    NameFineness(&fine);
     AddMesh(std::move(fine), entry);
   }
 }
@@ -174,10 +207,7 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
         if (varies || mesh.known_boundary) mesh.name += "-" + text;
         continue;
       }
-      if (key == "subdivisions") {
-        Subdivide(text, &mesh);
-        continue;
-      }
+      if (SetFineness(key, text, &mesh)) continue;
       const std::optional<long long> value = ParseInteger(text);
       if (!value) return;  // The schema has refused it.
       if (key == "triangles") mesh.generator_options.triangles = static_cast<Index>(*value);
@@ -186,20 +216,20 @@ void Resolver::AddGenerated(const YAML::Node& entry) {
         mesh.name += fmt::format("-{}{}", key == "seed" ? "s" : "", text);
       }
     }
-    if (mesh.known_boundary && mesh.subdivisions > 0) {
-      problems_.Add(PlaceOf(entry["subdivisions"]),
-                    "midpoints do not lie on the smooth surface, so that no conformal map of them "
-                    "is known: leave out 'boundary: known_map'");
+    NameFineness(&mesh);
+    if (mesh.known_boundary && (mesh.subdivisions > 0 || mesh.decimate > 0)) {
+      const char* key = mesh.subdivisions > 0 ? "subdivisions" : "decimate";
+      problems_.Add(
+          PlaceOf(entry[key]),
+          "new vertices do not lie on the smooth surface, so that no conformal map of them "
+          "is known: leave out 'boundary: known_map'");
     }
     AddMesh(std::move(mesh), entry);
   }
 }
 
 void Resolver::AddMissing(const YAML::Node& entry, const YAML::Node& value,
-                          const std::string& path) {
-  const bool is_pattern = path.find_first_of("*?[") != std::string::npos;
-  const std::string what =
-      fmt::format("{} '{}'", is_pattern ? "no file matches" : "there is no file", path);
+                          const std::string& what) {
   if (TextOf(entry, "optional") == "true") {
     result_.some_skipped = true;
     result_.notes.push_back(fmt::format("{}: skipped, {}", problems_.Locate(PlaceOf(value)), what));

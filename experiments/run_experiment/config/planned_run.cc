@@ -14,8 +14,12 @@
 namespace cirque {
 
 std::string MeshSpec::Source() const {
-  const std::string fineness =
-      subdivisions == 0 ? "" : fmt::format(" subdivisions={}", subdivisions);
+  std::string fineness = repair == MeshSpec().repair ? "" : " repair=" + repair;
+  if (decimate > 0) fineness += fmt::format(" decimate={}", decimate);
+  if (subdivisions > 0) {
+    fineness += fmt::format(" subdivisions={}", subdivisions);
+    if (subdivision != MeshSpec().subdivision) fineness += " subdivision=" + subdivision;
+  }
   if (!file.empty()) return file + fineness;
   if (!archive.empty()) return archive + ":" + member + fineness;
   return fmt::format("{} triangles={} seed={}{}{}", generator, generator_options.triangles,

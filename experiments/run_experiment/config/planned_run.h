@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cirque/core/status.h"
+#include "cirque/domains/map_options.h"
 #include "cirque/generators/generators.h"
 #include "cirque/pipeline/parameterize.h"
 
@@ -18,7 +19,10 @@ struct MeshSpec {
   GeneratorOptions generator_options;
   bool known_boundary = false;  ///< boundary angles as in the generator's known conformal map
   std::string family = {};      ///< the name before triangles, seed and subdivisions are added
-  int subdivisions = 0;         ///< every triangle split into four at midpoints so often
+  int subdivisions = 0;         ///< how often it is subdivided
+  std::string subdivision = "midpoint";  ///< by which of SubdivisionSchemes()
+  Index decimate = 0;  ///< before that, edges collapsed until so many triangles are left; 0: none
+  std::string repair = MeshOptions().repair;  ///< before all that, as of MeshOptions
 
   /// The source in one line, as records show it.
   std::string Source() const;

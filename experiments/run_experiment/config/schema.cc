@@ -4,7 +4,7 @@
 
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
-#include "cirque/generators/generators.h"
+#include "cirque/domains/map_options.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "experiments/run_experiment/config/planned_run.h"
@@ -12,9 +12,6 @@
 
 namespace cirque {
 namespace {
-
-constexpr double kMaxSeed = 4294967295.0;
-constexpr double kMaxSubdivisions = 12;  // 16 million times as many triangles
 
 FieldKind KindOf(OptionKind kind) {
   switch (kind) {
@@ -45,64 +42,6 @@ SchemaField ForMethod(const OptionInfo& option) {
           .former = option.former};
 }
 
-/// The entries of `meshes`.
-Schema MeshFields() {
-  using enum FieldKind;
-  const GeneratorOptions generator;
-  return {
-      {.path = "meshes.file",
-       .help = "a mesh file or a pattern such as ../meshes/*.obj; $MESHES/ is the folder that the "
-               "environment's CIRQUE_MESHES names, else meshes/",
-       .one_of = "source"},
-      {.path = "meshes.archive",
-       .help = "an archive (tar.gz, zip, ...) or compressed file that holds the mesh",
-       .one_of = "source",
-       .brings = "member"},
-      {.path = "meshes.member",
-       .help = "the mesh file's name inside the archive",
-       .beside = {"archive"}},
-      {.path = "meshes.generator",
-       .help = "the name of a mesh generator",
-       .choices = MeshGenerators().Names(),
-       .one_of = "source"},
-      {.path = "meshes.triangles",
-       .kind = kInteger,
-       .help = "about how many the generator makes",
-       .default_text = fmt::to_string(generator.triangles),
-       .matrix = true,
-       .minimum = 1,
-       .maximum = 1e8,
-       .beside = {"generator"}},
-      {.path = "meshes.seed",
-       .kind = kInteger,
-       .help = "of the generator's irregular vertex positions",
-       .default_text = fmt::to_string(generator.seed),
-       .matrix = true,
-       .minimum = 0,
-       .maximum = kMaxSeed,
-       .beside = {"generator"}},
-      {.path = "meshes.boundary",
-       .help = "its angles: free, or fixed to those of the generator's known conformal map",
-       .default_text = "free",
-       .matrix = true,
-       .choices = {"free", "known_map"},
-       .beside = {"generator"}},
-      {.path = "meshes.subdivisions",
-       .kind = kInteger,
-       .help = "how often every triangle is split into four at the midpoints of its edges",
-       .default_text = "0",
-       .matrix = true,
-       .minimum = 0,
-       .maximum = kMaxSubdivisions},
-      {.path = "meshes.name", .help = "its name in tables, if not the file's or the generator's"},
-      {.path = "meshes.optional",
-       .kind = kBoolean,
-       .help = "whether the mesh is skipped where its file does not exist",
-       .default_text = "false",
-       .beside = {"file", "archive"}},
-  };
-}
-
 /// The entries of `methods`.
 Schema MethodSchema() {
   Schema schema = {{.path = "methods.name", .help = "its name in tables", .required = true},
@@ -110,7 +49,12 @@ Schema MethodSchema() {
                     .help = "what surfaces are mapped to; vertices that a shape needs are chosen",
                     .default_text = MethodSpec().domain,
                     .matrix = true,
-                    .choices = Domains().Names()}};
+                    .choices = Domains().Names()},
+                   {.path = "methods.exact",
+                    .kind = FieldKind::kBoolean,
+                    .help = "whether the exact map is made too, whose figures are called exact_...",
+                    .default_text = "false",
+                    .matrix = true}};
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
     schema.push_back(ForMethod(option));
   }
@@ -212,7 +156,7 @@ Schema MakeSchema() {
     schema.insert(schema.end(), fields.begin(), fields.end());
   };
   add({{.path = "meshes", .kind = kSections, .help = "the surfaces", .required = true}});
-  add(MeshFields());
+  add(MeshSchema());
   add({{.path = "methods",
         .kind = kSections,
         .help = "how each surface is parameterized",

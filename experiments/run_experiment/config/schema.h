@@ -45,6 +45,12 @@ using Schema = std::vector<SchemaField>;
 /// Every key that a config may have, in the order of its documentation.
 const Schema& ConfigSchema();
 
+/// The keys of the entries of `meshes`.
+Schema MeshSchema();
+
+/// The largest seed of anything random.
+inline constexpr double kMaxSeed = 4294967295.0;
+
 /// The fields whose parent is `path` ("" for the top of the file).
 std::vector<const SchemaField*> FieldsOf(const Schema& schema, const std::string& path);
 

@@ -89,6 +89,21 @@ class DocumentCheck final : public YAML::EventHandler {
   std::map<YAML::anchor_t, double> values_of_;  ///< of what is read already, aliases written out
 };
 
+/// What to do about the two slips that the parser's words do not name.
+std::string Advice(const std::string& text, const YAML::Mark& mark) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i <= mark.line && std::getline(lines, line);) ++i;
+  if (line.substr(0, line.find_first_not_of(" \t")).find('\t') != std::string::npos) {
+    return "; the line begins with a tab, and YAML indents by spaces";
+  }
+  const std::size_t first = line.find(": ");
+  if (first != std::string::npos && line.find(": ", first + 2) != std::string::npos) {
+    return "; a value with ': ' in it stands in quotes";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::optional<YAML::Node> ParseYaml(const std::string& text, Diagnostics* problems) {
@@ -108,7 +123,7 @@ std::optional<YAML::Node> ParseYaml(const std::string& text, Diagnostics* proble
   } catch (const Refusal& refusal) {
     problems->Add(PlaceOf(refusal.mark), refusal.why);
   } catch (const YAML::Exception& error) {
-    problems->Add(PlaceOf(error.mark), "not valid YAML: " + error.msg);
+    problems->Add(PlaceOf(error.mark), "not valid YAML: " + error.msg + Advice(text, error.mark));
   }
   return std::nullopt;
 }

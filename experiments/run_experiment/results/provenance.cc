@@ -19,9 +19,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/core/version.h"
-
-#include "experiments/common/blas_threads.h"
-#include "experiments/run_experiment/config/file_content.h"
+#include "cirque/linear/blas_threads.h"
 
 namespace cirque {
 namespace {
@@ -59,13 +57,6 @@ nlohmann::json Libraries() {
 
 }  // namespace
 
-std::string CodeVersion() {
-  const std::string commit = GitCommit();
-  if (commit != "unknown" && !commit.ends_with("-dirty")) return commit;
-  const StatusOr<std::string> program = ReadWholeFile("/proc/self/exe");
-  return program.ok() ? commit + "-" + HashOf(*program) : commit;
-}
-
 nlohmann::json Provenance(const ExperimentConfig& config) {
 #ifdef NDEBUG
   const char* build = "release";
@@ -75,7 +66,6 @@ nlohmann::json Provenance(const ExperimentConfig& config) {
   return {
       {"version", Version()},
       {"commit", GitCommit()},
-      {"code", CodeVersion()},
       {"compiler", __VERSION__},
       {"build", build},
       {"libraries", Libraries()},

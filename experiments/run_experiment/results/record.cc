@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include "cirque/core/option.h"
 #include "cirque/core/status.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/common/records.h"
 #include "experiments/run_experiment/config/file_content.h"
+#include "experiments/run_experiment/config/method_files.h"
 
 namespace cirque {
 namespace {
@@ -55,18 +55,6 @@ StatusOr<std::string> HashOfFile(const std::string& path) {
   return content.ok() ? StatusOr<std::string>(HashOf(*content)) : content.status();
 }
 
-/// Puts the hash of the cone file into the place of its name, where the heuristic reads one. Words
-/// that are no heuristic with options are the run's to refuse.
-Status HashConeFile(const std::string& cones, nlohmann::json* method) {
-  StatusOr<NameWithOptions> named = ParseNameWithOptions(cones);
-  if (!named.ok() || named->name != "given" || !named->options.contains("file")) return Status();
-  const StatusOr<std::string> hash = HashOfFile(named->options["file"]);
-  if (!hash.ok()) return hash.status().In("cones");
-  named->options["file"] = *hash;
-  (*method)["cones"] = {{"name", named->name}, {"options", named->options}};
-  return Status();
-}
-
 }  // namespace
 
 nlohmann::json MethodJson(const MethodSpec& method) {
@@ -75,6 +63,7 @@ nlohmann::json MethodJson(const MethodSpec& method) {
     json[option.info().name] = std::visit([](const auto& value) { return nlohmann::json(value); },
                                           option.Get(method.options));
   }
+  if (method.options.exact) json["exact"] = true;
   return json;
 }
 
@@ -87,6 +76,11 @@ std::string RunKey(const PlannedRun& run, const std::string& mesh_hash,
                                   {"code", code_version}};
   if (!run.measures.empty()) determined_by["measures"] = run.measures;
   if (run.mesh.subdivisions > 0) determined_by["subdivisions"] = run.mesh.subdivisions;
+  if (run.mesh.subdivision != MeshSpec().subdivision) {
+    determined_by["subdivision"] = run.mesh.subdivision;
+  }
+  if (run.mesh.decimate > 0) determined_by["decimate"] = run.mesh.decimate;
+  if (run.mesh.repair != MeshSpec().repair) determined_by["repair"] = run.mesh.repair;
   if (run.reference) determined_by["reference"] = true;
   return HashOf(ToLine(determined_by));
 }
@@ -126,6 +120,9 @@ Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMe
     record["history"]["angles"] = NumbersJson(certificate.angle_fit->gradients);
   }
   if (certificate.radii) record["history"]["radii"] = NumbersJson(certificate.radii->gradients);
+  if (certificate.equivalence) {
+    record["history"]["scales"] = NumbersJson(certificate.equivalence->gradients);
+  }
   if (const auto limits = LimitsJson(run.limits); !limits.empty()) record["limits"] = limits;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));
@@ -152,15 +149,15 @@ bool IsSettled(const Record& record) {
 }
 
 StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
-  nlohmann::json json = MethodJson(method);
-  const ParameterizeOptions& options = method.options;
-  if (!options.edge_costs.empty()) {
-    const StatusOr<std::string> hash = HashOfFile(options.edge_costs);
-    if (!hash.ok()) return hash.status().In("edge_costs");
-    json["edge_costs"] = *hash;
-  }
-  if (Status status = HashConeFile(options.cones, &json); !status.ok()) return status;
-  return json;
+  MethodSpec by_content = method;
+  const TakeFile hash_it = [](const std::string& key, std::string* path) {
+    const StatusOr<std::string> hash = HashOfFile(*path);
+    if (!hash.ok()) return hash.status().In(key);
+    *path = *hash;
+    return Status();
+  };
+  const Status status = ForEachFile(hash_it, &by_content.options);
+  return status.ok() ? StatusOr<nlohmann::json>(MethodJson(by_content)) : status;
 }
 
 }  // namespace cirque

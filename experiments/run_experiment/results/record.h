@@ -23,8 +23,8 @@ using Record = nlohmann::json;
 /// The run's method with every option, as records and keys hold it.
 nlohmann::json MethodJson(const MethodSpec& method);
 
-/// Names a record by all that determines it: the run, content of the mesh, method as of MethodByContent,
-/// code.
+/// Names a record by all that determines it: the run, content of the mesh, method as of
+/// MethodByContent, code as of RunCode.
 std::string RunKey(const PlannedRun& run, const std::string& mesh_hash,
                    const nlohmann::json& method, const std::string& code_version);
 

@@ -1,13 +1,17 @@
 #include "experiments/run_experiment/run/carry_out.h"
 
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "cirque/core/solve_summary.h"
+#include "cirque/domains/atlas.h"
+#include "cirque/domains/map_mesh.h"
 #include "cirque/io/io.h"
-#include "cirque/mesh/preflight.h"
 #include "cirque/mesh/surface.h"
 
 #include "experiments/common/process.h"
+#include "experiments/run_experiment/config/remeshing.h"
 
 namespace cirque {
 namespace {
@@ -21,19 +25,31 @@ StatusOr<PolygonSoup> ReadSoup(const MeshSpec& mesh, const std::string& path) {
   return (*generator)(mesh.generator_options);
 }
 
-/// What was read, and the surface it is.
+/// What was read, and the surfaces it is.
 struct Input {
   PolygonSoup soup;
-  Surface surface;
+  std::shared_ptr<const MeshParts> parts;
 };
 
-/// The input's surface, and its size in the result whatever the status.
-StatusOr<Surface> Check(const PolygonSoup& soup, RunResult* result) {
-  PreflightReport report;
-  StatusOr<Surface> surface = Preflight(soup, &report);
-  result->vertices = report.num_vertices;
-  result->triangles = report.num_triangles;
-  return surface;
+/// The input taken apart, and its size in the result whatever the status.
+StatusOr<std::shared_ptr<const MeshParts>> Check(const PolygonSoup& soup, const std::string& repair,
+                                                 RunResult* result) {
+  const auto parts = std::make_shared<MeshParts>();
+  const Status status = TakeApart(soup, repair, parts.get());
+  result->vertices = parts->report.num_vertices;
+  result->triangles = parts->report.num_triangles;
+  if (!status.ok()) return status;
+  return std::shared_ptr<const MeshParts>(parts);
+}
+
+/// As the config has it: coarser, then finer.
+StatusOr<PolygonSoup> Remeshed(const MeshSpec& mesh, PolygonSoup triangles) {
+  if (mesh.decimate > 0) {
+    StatusOr<PolygonSoup> coarse = Decimate(triangles, mesh.decimate);
+    if (!coarse.ok()) return coarse;
+    triangles = *std::move(coarse);
+  }
+  return Subdivide(triangles, mesh.subdivision, mesh.subdivisions);
 }
 
 StatusOr<Input> ReadInput(const MeshSpec& mesh, const std::string& path, RunResult* result) {
@@ -42,18 +58,18 @@ StatusOr<Input> ReadInput(const MeshSpec& mesh, const std::string& path, RunResu
   StatusOr<PolygonSoup> soup = ReadSoup(mesh, path);
   seconds.read = read_timer.Seconds();
   if (!soup.ok()) return soup.status();
-  const Timer preflight_timer;
-  StatusOr<Surface> surface = Check(*soup, result);
-  seconds.preflight = preflight_timer.Seconds();
-  if (!surface.ok()) return surface.status();
-  if (mesh.subdivisions > 0) {
+  auto parts = Check(*soup, mesh.repair, result);
+  if (!parts.ok()) return parts.status();
+  seconds.preflight = (*parts)->seconds;
+  if (mesh.subdivisions > 0 || mesh.decimate > 0) {
     const Timer timer;
-    *soup = MidpointSubdivision(TrianglesOf(*surface), mesh.subdivisions);
-    surface = Check(*soup, result);
+    soup = Remeshed(mesh, TrianglesOf(Joined((*parts)->Surfaces())));
+    if (!soup.ok()) return soup.status();
+    parts = Check(*soup, MeshSpec().repair, result);
     seconds.subdivide = timer.Seconds();
-    if (!surface.ok()) return surface.status();
+    if (!parts.ok()) return parts.status();
   }
-  return Input{*std::move(soup), *std::move(surface)};
+  return Input{*std::move(soup), *std::move(parts)};
 }
 
 Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
@@ -62,14 +78,16 @@ Status Run(const PlannedRun& run, const std::string& path, RunResult* result) {
   const StatusOr<Input> input = ReadInput(run.mesh, path, result);
   const double cpu_at_map = ProcessCpuSeconds();
   const Status status =
-      input.ok() ? MapRun(run, input->soup, input->surface, result) : input.status();
+      input.ok() ? MapRun(run, input->soup, input->parts, result) : input.status();
   const double cpu_after = ProcessCpuSeconds();
   result->seconds = timer.Seconds();
   result->cpu_seconds = cpu_after - cpu_before;
   result->map_cpu_seconds = cpu_after - cpu_at_map;
   result->peak_memory_mib = PeakMemoryMib();
-  if (run.reference && input.ok()) {
-    result->reference = TimeReferenceFactorization(input->surface, kReferenceRepeats);
+  const bool is_one = input.ok() && input->parts->IsOne();
+  if (run.reference && is_one && input->parts->components[0].surface.ok()) {
+    result->reference =
+        TimeReferenceFactorization(*input->parts->components[0].surface, kReferenceRepeats);
   }
   return status;
 }

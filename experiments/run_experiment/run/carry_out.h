@@ -2,12 +2,13 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "cirque/core/status.h"
 #include "cirque/core/types.h"
+#include "cirque/domains/map_mesh.h"
 #include "cirque/io/polygon_soup.h"
-#include "cirque/mesh/surface.h"
 #include "cirque/pipeline/certificate.h"
 
 #include "experiments/common/reference_factorization.h"
@@ -34,14 +35,14 @@ struct RunResult {
 /// Carries out one run; `mesh_path` is the mesh's file, empty for a generated mesh.
 using RunFunction = std::function<RunResult(const PlannedRun& run, const std::string& mesh_path)>;
 
-/// The real one: read or generate, preflight, subdivide, map to the domain, measure; then the
+/// The real one: read or generate, repair and take apart, subdivide, map to the domain, measure; then the
 /// reference.
 RunResult ParameterizeRun(const PlannedRun& run, const std::string& mesh_path);
 
-/// Maps the surface to the run's domain with the run's method and measures the map: certificate
-/// and, where the run keeps it, map of the result. `soup` is what the surface was made of. Stages
-/// that the certificate has timed already keep their times.
-Status MapRun(const PlannedRun& run, const PolygonSoup& soup, const Surface& surface,
-              RunResult* result);
+/// Maps the mesh, all of its components, to the run's domain with the run's method and measures the
+/// map: certificate and, where the run keeps it, map of the result. `soup` is what was taken apart.
+/// Stages that the certificate has timed already keep their times.
+Status MapRun(const PlannedRun& run, const PolygonSoup& soup,
+              const std::shared_ptr<const MeshParts>& parts, RunResult* result);
 
 }  // namespace cirque

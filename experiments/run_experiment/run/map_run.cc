@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cirque/domains/domain.h"
+#include "cirque/domains/map_mesh.h"
 #include "cirque/generators/known_maps.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_map.h"
@@ -122,31 +123,32 @@ StatusOr<MapRequest> RequestOf(const PlannedRun& run, const Surface& surface) {
   return request;
 }
 
-/// A closed surface's known map has periods: it is known up to more than a similarity. Midpoints
-/// do not lie on the smooth surface.
+/// A closed surface's known map has periods: it is known up to more than a similarity. New
+/// vertices do not lie on the smooth surface.
 bool HasKnownImage(const PlannedRun& run, const Surface& surface) {
-  return run.method.domain == kPlane && run.mesh.subdivisions == 0 &&
+  return run.method.domain == kPlane && run.mesh.subdivisions == 0 && run.mesh.decimate == 0 &&
          !BoundaryLoops(surface.triangulation).empty();
 }
 
 }  // namespace
 
-Status MapRun(const PlannedRun& run, const PolygonSoup& soup, const Surface& surface,
-              RunResult* result) {
-  const StatusOr<MapRequest> request = RequestOf(run, surface);
-  if (!request.ok()) return request.status();
-  Certificate failed;
-  StatusOr<SurfaceMap> map = MapSurface(surface, *request, SolveControl(), &failed);
-  TakeCertificate(std::move(map.ok() ? map->certificate : failed), result);
-  if (!map.ok()) return map.status();
+Status MapRun(const PlannedRun& run, const PolygonSoup& soup,
+              const std::shared_ptr<const MeshParts>& parts, RunResult* result) {
+  const SurfaceRequest request = [&](const Surface& of) { return RequestOf(run, of); };
+  const StatusOr<MappedMesh> mapped = MapMesh(parts, MeshOptions(), request, SolveControl());
+  if (!mapped.ok()) return mapped.status();
+  const SurfaceMap& map = mapped->map;
+  TakeCertificate(map.certificate, result);
+  if (!mapped->status.ok()) return mapped->status;
+  const Surface& surface = *mapped->surface;
   if (HasKnownImage(run, surface)) {
-    result->figures.merge(KnownMapErrors(run.mesh, surface, map->uv));
+    result->figures.merge(KnownMapErrors(run.mesh, surface, map.uv));
   }
   if (run.keep_map) {
-    result->map = map->IsOnSphere() ? SphereMesh(soup, surface, map->position)
-                                    : AttachUv(soup, surface, map->uv);
+    result->map = map.IsOnSphere() ? SphereMesh(soup, surface, map.position)
+                                   : AttachUv(soup, surface, map.uv);
   }
-  return AddMeasures(run.measures, surface, *map, result);
+  return AddMeasures(run.measures, surface, map, result);
 }
 
 }  // namespace cirque

@@ -1,6 +1,9 @@
 #include "experiments/run_experiment/run/mesh_files.h"
 
 #include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,7 +37,35 @@ StatusOr<std::string> Extract(const MeshSpec& mesh, const std::string& cache) {
   return path;
 }
 
+Status ExtractFrom(const std::string& archive, const std::map<std::string, std::string>& paths,
+                   const std::string& cache) {
+  std::set<std::string> members;
+  for (const auto& [member, path] : paths) members.insert(member);
+  fs::create_directories(cache);
+  return ReadArchiveMembers(archive, members,
+                            [&](const std::string& member, const std::string& content) {
+                              return WriteFileAtomically(paths.at(member), content);
+                            });
+}
+
 }  // namespace
+
+Status ExtractMembers(const std::vector<MeshSpec>& meshes, const std::string& cache) {
+  try {
+    std::map<std::string, std::map<std::string, std::string>> missing;
+    for (const MeshSpec& mesh : meshes) {
+      if (mesh.archive.empty()) continue;
+      std::string path = CachePath(mesh, cache);
+      if (!fs::exists(path)) missing[mesh.archive][mesh.member] = std::move(path);
+    }
+    for (const auto& [archive, paths] : missing) {
+      if (Status status = ExtractFrom(archive, paths, cache); !status.ok()) return status;
+    }
+  } catch (const fs::filesystem_error& error) {
+    return Status::InvalidInput(error.what());
+  }
+  return Status();
+}
 
 StatusOr<LocatedMesh> LocateMesh(const MeshSpec& mesh, const std::string& cache) {
   if (!mesh.generator.empty()) return LocatedMesh{"", HashOf(mesh.Source())};

@@ -14,25 +14,35 @@ namespace {
 
 nlohmann::json MeshToJson(const MeshSpec& mesh) {
   const auto& [name, file, archive, member, generator, options, known_boundary, family,
-               subdivisions] = mesh;
+               subdivisions, subdivision, decimate, repair] = mesh;
   const auto& [triangles, seed] = options;
-  return {{"name", name},           {"file", file},
-          {"archive", archive},     {"member", member},
-          {"generator", generator}, {"triangles", triangles},
-          {"seed", seed},           {"known_boundary", known_boundary},
-          {"family", family},       {"subdivisions", subdivisions}};
+  return {{"name", name},
+          {"file", file},
+          {"archive", archive},
+          {"member", member},
+          {"generator", generator},
+          {"triangles", triangles},
+          {"seed", seed},
+          {"known_boundary", known_boundary},
+          {"family", family},
+          {"subdivisions", subdivisions},
+          {"subdivision", subdivision},
+          {"decimate", decimate},
+          {"repair", repair}};
 }
 
 MeshSpec MeshFromJson(const nlohmann::json& json) {
   return {json.at("name"),           json.at("file"),      json.at("archive"),
           json.at("member"),         json.at("generator"), {json.at("triangles"), json.at("seed")},
-          json.at("known_boundary"), json.at("family"),    json.at("subdivisions")};
+          json.at("known_boundary"), json.at("family"),    json.at("subdivisions"),
+          json.at("subdivision"),    json.at("decimate"),  json.at("repair")};
 }
 
 MethodSpec MethodFromJson(const nlohmann::json& json) {
   MethodSpec method;
   method.name = json.at("name");
   method.domain = json.at("domain");
+  method.options.exact = json.value("exact", false);
   for (const auto& option : ParameterizeOptionTable().options()) {
     const nlohmann::json& value = json.at(option.info().name);
     const Status status =

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "cirque/core/atomic_file.h"
 
@@ -11,6 +12,7 @@
 #include "experiments/run_experiment/results/provenance.h"
 #include "experiments/run_experiment/results/record.h"
 #include "experiments/run_experiment/results/results_log.h"
+#include "experiments/run_experiment/results/run_code.h"
 #include "experiments/run_experiment/run/mesh_files.h"
 #include "experiments/run_experiment/run/progress.h"
 #include "experiments/run_experiment/run/ready_run.h"
@@ -24,20 +26,25 @@ namespace fs = std::filesystem;
 /// Reads every file, so that nothing has been run when one of them turns out to be missing.
 StatusOr<std::vector<ReadyRun>> Plan(const std::vector<PlannedRun>& runs, const std::string& folder,
                                      const nlohmann::json& provenance) {
+  const std::string cache = (fs::path(folder) / "meshes").string();
+  std::vector<MeshSpec> meshes;
+  for (const PlannedRun& run : runs) meshes.push_back(run.mesh);
+  if (Status s = ExtractMembers(meshes, cache); !s.ok()) return s;
   std::map<std::string, LocatedMesh> located;
   std::vector<ReadyRun> plan;
   for (const PlannedRun& run : runs) {
     if (!located.contains(run.mesh.name)) {
-      const StatusOr<LocatedMesh> mesh =
-          LocateMesh(run.mesh, (fs::path(folder) / "meshes").string());
+      const StatusOr<LocatedMesh> mesh = LocateMesh(run.mesh, cache);
       if (!mesh.ok()) return mesh.status();
       located[run.mesh.name] = *mesh;
     }
     const LocatedMesh& mesh = located[run.mesh.name];
     const StatusOr<nlohmann::json> method = MethodByContent(run.method);
     if (!method.ok()) return method.status();
-    const std::string key = RunKey(run, mesh.hash, *method, provenance["code"]);
-    plan.push_back({key, run, mesh, folder, provenance});
+    nlohmann::json origin = provenance;
+    origin["code"] = RunCode(run.method);
+    const std::string key = RunKey(run, mesh.hash, *method, origin["code"]);
+    plan.push_back({key, run, mesh, folder, std::move(origin)});
   }
   return plan;
 }

@@ -13,8 +13,8 @@
 #include "cirque/core/parallel.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
+#include "cirque/linear/blas_threads.h"
 
-#include "experiments/common/blas_threads.h"
 #include "experiments/common/process.h"
 #include "experiments/common/records.h"
 

@@ -1,4 +1,4 @@
-"""Records of run_experiment as studies read them, and the pages they write."""
+"""What studies have in common: records as they read them, figures, and the pages they write."""
 import json
 import math
 import os
@@ -7,6 +7,9 @@ import statistics
 
 import matplotlib
 
+from tables.runs import (BadRecords, Run, by_size, in_order, median_interval, number, quantiles, read, shown,  # noqa: F401
+                         table)
+
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 
@@ -14,105 +17,6 @@ plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cirque", "font.siz
                      "grid.alpha": 0.3, "legend.frameon": False})
 
 COLOURS = ["#1b6ca8", "#c8553d", "#4a8c5c", "#8a5a9e", "#b8860b", "#5f6b73"]
-
-
-# What methods' keys were called in records of earlier releases.
-FORMER_KEYS = {"angle_fit": "angle_objective", "angle_strategy": "angle_solver", "strategy": "radii_solver"}
-
-
-class BadRecords(Exception):
-    """The records are missing or are not those of the study."""
-
-
-class Run:
-    """One record, with the parts that studies ask for by name."""
-
-    def __init__(self, record):
-        self.record = record
-        self.mesh = record["mesh"]["name"]
-        self.family = record["mesh"].get("family") or self.mesh
-        self.triangles = record["mesh"]["triangles"]
-        self.method = {FORMER_KEYS.get(key, key): value for key, value in record["method"].items()}
-        self.group = record["method"]["name"].split(",")[0]
-        self.outcome = record["outcome"]
-        self.ok = self.outcome == "ok"
-
-    def value(self, name):
-        """A measured value; None where the run has none."""
-        return self.record.get("values", {}).get(name)
-
-    def seconds(self, stage):
-        return self.record.get("seconds", {}).get(stage)
-
-    @property
-    def cpu(self):
-        return self.record.get("cpu_seconds")
-
-    @property
-    def map_cpu(self):
-        return self.record.get("map_cpu_seconds")
-
-    @property
-    def memory(self):
-        return self.record.get("peak_memory_mib")
-
-    @property
-    def reference(self):
-        return self.record.get("reference", {}).get("cpu_seconds")
-
-
-def read(folder):
-    """The runs of FOLDER/results.jsonl, of every run its last record, a torn line left out."""
-    path = pathlib.Path(folder) / "results.jsonl"
-    if not path.exists():
-        raise BadRecords(f"{path}: does not exist; run the study's config first")
-    runs = {}
-    for line in path.read_text().splitlines():
-        try:
-            record = json.loads(line)
-            runs[record["mesh"]["name"], record["method"]["name"], record["repeat"]] = Run(record)
-        except (ValueError, KeyError, TypeError):
-            continue
-    if not runs:
-        raise BadRecords(f"{path}: holds no record of run_experiment")
-    return list(runs.values())
-
-
-def in_order(items):
-    """Each of them once, in the order of their first appearance."""
-    return list(dict.fromkeys(items))
-
-
-def by_size(runs):
-    """The meshes' names, the smallest first."""
-    size = {}
-    for run in runs:
-        size[run.mesh] = max(size.get(run.mesh, 0), run.triangles)
-    return sorted(size, key=lambda mesh: (size[mesh], mesh))
-
-
-def number(value, text="{:.3g}"):
-    return "-" if value is None else text.format(value)
-
-
-def shown(run, value, text="{:.3g}"):
-    """A cell of a table: the value, or why there is none."""
-    if run is None:
-        return ""
-    return number(value, text) if run.ok else run.outcome
-
-
-def table(head, rows, texts=1):
-    """Markdown; the first `texts` columns are texts, the others numbers."""
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * texts + "--:|" * (len(head) - texts)]
-    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
-
-
-def quantiles(values):
-    """"median (least to greatest)"."""
-    if not values:
-        return "-"
-    return f"{statistics.median(values):.3g} ({min(values):.3g} to {max(values):.3g})"
 
 
 def power_fit(sizes, values):
@@ -127,12 +31,48 @@ def power_fit(sizes, values):
     return slope, math.exp(mean_y - slope * mean_x)
 
 
-def write(path, study, text):
-    """The whole page or nothing."""
+def origin(runs):
+    """By what code, when, where and for how long the runs were made."""
+    of = [run.record.get("provenance", {}) for run in runs]
+
+    def named(key):
+        return ", ".join(sorted({str(one[key]) for one in of if key in one})) or "unknown"
+
+    days = sorted(one["started"][:10] for one in of if "started" in one)
+    when = "" if not days else f" on {days[0]}" if days[0] == days[-1] else f" from {days[0]} to {days[-1]}"
+    cpu = sum(run.cpu or 0 for run in runs)
+    return f"{len(runs)} runs of commit {named('commit')}, {cpu:.0f} s of CPU time ({named('cpu')}){when}."
+
+
+def is_everywhere(run):
+    """Whether every machine with Debian's packages has the mesh."""
+    source = run.record["mesh"].get("source", "")
+    return source.startswith("/usr/share/doc/libcgal-dev/") or (not source.startswith("/") and "triangles=" in source)
+
+
+def sample(runs, count=3):
+    """The run of least time, of a map with some distortion, of each of the first methods: what a test makes again to see
+    whether the page is of today."""
+    chosen = {}
+    for run in sorted((r for r in runs if r.ok and is_everywhere(r)), key=lambda r: (r.cpu or 0, r.mesh)):
+        if (run.value("quasi_conformal_mean") or 1) > 1.001:
+            chosen.setdefault(run.record["method"]["name"], run)
+    return list(chosen.values())[:count]
+
+
+def sample_line(run):
+    cell = {"mesh": run.mesh, "method": run.record["method"]["name"],
+            "quasi_conformal_mean": float(f"{run.value('quasi_conformal_mean'):.9g}")}
+    return f"<!-- sample {json.dumps(cell)} -->"
+
+
+def write(path, study, text, runs):
+    """The whole page or nothing. Ends with where it comes from, and with cells that tell whether it is of today's code."""
     head = f"<!-- Written by `experiments/scripts/make_study {study}` from the records of configs/{study}.yaml. -->\n\n"
+    foot = "\n".join(["", f"Made of {origin(runs)}", "", *map(sample_line, sample(runs))])
     path = pathlib.Path(path)
     temporary = path.with_name(path.name + f".tmp.{os.getpid()}")
-    temporary.write_text(head + text.rstrip() + "\n")
+    temporary.write_text(head + text.rstrip() + "\n" + foot.rstrip() + "\n")
     temporary.replace(path)
 
 

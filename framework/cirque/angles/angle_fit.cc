@@ -15,14 +15,6 @@ constexpr double kAcceptedSums = 1e-9;  ///< [rad]
 constexpr double kAcceptedGap = 1e-8;
 constexpr double kLeastEpsilon = 1e-8;
 
-/// Makes triangle sums exact to rounding: the radii's gradient sums to their total error.
-void CloseTriangles(Eigen::VectorXd* alpha) {
-  for (Index h = 0; h < alpha->size(); h += 3) {
-    auto face = alpha->segment<3>(h);
-    face.array() += (kPi - face.sum()) / 3;
-  }
-}
-
 /// The number of reference angles that the objective had to clamp.
 int CountClamped(const AngleFitProblem& problem, const AngleObjective& objective) {
   const Triangulation& t = problem.constraints.triangulation();
@@ -49,19 +41,6 @@ Status RequireCoherent(const KktReport& kkt) {
                   kkt.smallest_angle, kkt.smallest_theta));
 }
 
-std::string InfeasibleMessage(const InfeasibilityCertificate& certificate) {
-  const std::string margin =
-      certificate.epsilon_over_pi == 0
-          ? std::string()
-          : fmt::format(" with margin {:.1e} rad", certificate.epsilon_over_pi * kPi);
-  return fmt::format(
-      "no coherent angles{} exist: the infeasibility certificate's multipliers are largest at "
-      "faces "
-      "{} and vertices {} (0-based); "
-      "allow cones there, or flip to the intrinsic Delaunay triangulation",
-      margin, IdList(certificate.carrying_faces), IdList(certificate.carrying_vertices));
-}
-
 /// The largest margin worth trying first.
 double FirstEpsilon(const AngleFitProblem& problem) {
   const AngleConstraints& constraints = problem.constraints;
@@ -75,6 +54,25 @@ double FirstEpsilon(const AngleFitProblem& problem) {
 }
 
 }  // namespace
+
+void CloseTriangles(Eigen::VectorXd* alpha) {
+  for (Index h = 0; h < alpha->size(); h += 3) {
+    auto face = alpha->segment<3>(h);
+    face.array() += (kPi - face.sum()) / 3;
+  }
+}
+
+std::string InfeasibleMessage(const InfeasibilityCertificate& certificate) {
+  const std::string margin =
+      certificate.epsilon_over_pi == 0
+          ? std::string()
+          : fmt::format(" with margin {:.1e} rad", certificate.epsilon_over_pi * kPi);
+  return fmt::format(
+      "no coherent angles{} exist: the infeasibility certificate's multipliers are largest at "
+      "faces {} and vertices {} (0-based); allow cones there, or flip to the intrinsic Delaunay "
+      "triangulation",
+      margin, IdList(certificate.carrying_faces), IdList(certificate.carrying_vertices));
+}
 
 Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
                  InfeasibilityCertificate certificate, Eigen::VectorXd alpha,

@@ -46,11 +46,17 @@ Status FitAngles(const AngleFitProblem& problem,
 
 /// What every solver does at its end: kInfeasible with the certificate when there is one, else
 /// closes the triangle sums of `alpha` to rounding, takes alpha and `multipliers` as the result and
-/// reports on them. kNotConverged: angles whose sums (before closing) miss by more than 1e-9 rad, or
-/// of an unconverged solve whose relative gap exceeds 1e-8, and angles that are no circle pattern's
-/// (an objective without inequalities can have such).
+/// reports on them. kNotConverged: angles whose sums (before closing) miss by more than 1e-9 rad,
+/// or of an unconverged solve whose relative gap exceeds 1e-8, and angles that are no circle
+/// pattern's (an objective without inequalities can have such).
 Status FinishFit(const AngleFitProblem& problem, const AngleObjective& objective,
                  InfeasibilityCertificate certificate, Eigen::VectorXd alpha,
                  Eigen::VectorXd multipliers, AngleFitResult* result);
+
+/// Makes triangle sums exact to rounding: the radii's gradient sums to their total error.
+void CloseTriangles(Eigen::VectorXd* alpha);
+
+/// "no coherent angles exist: ...", with the faces and vertices that the proof says it of.
+std::string InfeasibleMessage(const InfeasibilityCertificate& certificate);
 
 }  // namespace cirque

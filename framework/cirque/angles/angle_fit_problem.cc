@@ -21,7 +21,16 @@ class InequalityCheck {
  public:
   InequalityCheck(const AngleFitProblem& problem, const AngleObjective& objective,
                   const Eigen::VectorXd& alpha, const Eigen::VectorXd& y)
-      : problem_(problem), objective_(objective), alpha_(alpha), y_(y) {}
+      : problem_(problem), objective_(objective), alpha_(alpha), y_(y) {
+    if (!objective.TakesArrays()) return;
+    std::vector<double> references(alpha.size());
+    for (std::size_t h = 0; h < references.size(); ++h) {
+      references[h] = objective.ClampReference(problem.reference[h], problem.epsilon);
+    }
+    auto jets = std::make_shared<std::vector<ScalarJet>>(references.size());
+    objective.Distances(references, {alpha.data(), references.size()}, *jets);
+    jets_ = std::move(jets);
+  }
 
   void AddEdge(Index l, Index r) {
     if (r == kNone) return AddBoundaryEdge(l);
@@ -73,7 +82,7 @@ class InequalityCheck {
     };
     const double target = problem_.constraints.Slope(y_.data(), h);
     largest_slope_ = std::max(largest_slope_, std::abs(target));
-    double gradient = slope(problem_.reference[h], alpha_[h]);
+    double gradient = jets_ ? (*jets_)[h].slope : slope(problem_.reference[h], alpha_[h]);
     if (objective_.MeasuresTheta()) gradient -= slope(theta_reference, theta);
     return target - gradient;
   }
@@ -93,6 +102,8 @@ class InequalityCheck {
   const AngleObjective& objective_;
   const Eigen::VectorXd& alpha_;
   const Eigen::VectorXd& y_;
+  /// The distances of all corners, where the objective takes arrays; shared by the parts.
+  std::shared_ptr<const std::vector<ScalarJet>> jets_;
   double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0, violation_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "cirque/angles/angle_program.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
@@ -35,8 +36,11 @@ AngleProgram::AngleProgram(const AngleFitProblem& problem, const AngleObjective&
 
 void AngleProgram::Linearize(const Eigen::VectorXd& x) {
   const int angles = constraints_.triangulation().num_halfedges();
+  const auto size = static_cast<std::size_t>(angles);
+  std::vector<ScalarJet> jets(size);
+  objective_.Distances({centre_.data(), size}, {x.data(), size}, jets);
   value_ = ParallelSum(angles, [&](Index h) {
-    const ScalarJet jet = objective_.Distance(centre_[h], x[h]);
+    const ScalarJet& jet = jets[h];
     slope_[h] = jet.slope;
     weight_[h] = jet.curvature;
     return jet.value;

@@ -74,4 +74,8 @@ class InfeasibilityWatch {
 Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
                     InfeasibilityCertificate* certificate = nullptr);
 
+/// What of that holds on every triangulation of the surface: all but the corners.
+Status CheckAngleSums(const IntrinsicSurface& surface, const ConeTargets& targets,
+                      InfeasibilityCertificate* certificate = nullptr);
+
 }  // namespace cirque

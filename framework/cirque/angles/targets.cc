@@ -45,18 +45,20 @@ std::string CornerMessage(const ConeTargets& targets, const std::vector<Index>& 
                        IdList(bad));
   }
   return fmt::format(
-      "the angle sums of vertices {} (0-based) cannot be reached: {} vertex {} has {} corners, "
+      "the angle sums of vertices {} (0-based) cannot be reached: {} vertex {} (0-based) has {} "
+      "corners, "
       "each less than pi, and must reach {}; lower its target, or give it more triangles",
       IdList(bad), boundary[v] ? "boundary" : "inner", v, corners[v], Times(targets.lower[v]));
 }
 
-/// y_v = 1 at a vertex that is to be too large, -1 at one that is to be 0.
-Status CheckCorners(const IntrinsicSurface& surface, const ConeTargets& targets,
+/// y_v = 1 at a vertex that is to be too large for its corners, if these matter, -1 at one that is
+/// to be 0.
+Status CheckCorners(const IntrinsicSurface& surface, const ConeTargets& targets, bool of_corners,
                     Eigen::VectorXd* vertex_y) {
   const std::vector<Index>& corners = surface.corners;
   std::vector<int> bad;
   for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
-    const bool too_large = targets.lower[v] >= kPi * corners[v];
+    const bool too_large = of_corners && targets.lower[v] >= kPi * corners[v];
     if (!too_large && targets.upper[v] > 0) continue;
     if (bad.empty()) (*vertex_y)[v] = too_large ? 1 : -1;
     bad.push_back(v);
@@ -98,7 +100,7 @@ Status CheckGaussBonnet(const IntrinsicSurface& surface, const ConeTargets& targ
           too_much ? "at least" : "at most", Times(too_much ? lower : upper), t.num_faces(),
           too_much ? "take away" : "add", Times(std::abs((too_much ? lower : upper) - all)),
           curved.empty() ? std::string("all vertices are to be flat: cones are needed")
-                         : "the vertices that are not flat are " + IdList(curved) + " (0-based)"));
+                         : "not flat are the vertices " + IdList(curved) + " (0-based)"));
 }
 
 /// Multipliers by vertex (and one for all faces) in the rows of the constraints.
@@ -114,13 +116,15 @@ InfeasibilityCertificate Certify(const Triangulation& t, const ConeTargets& targ
 
 }  // namespace
 
-Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
-                    InfeasibilityCertificate* certificate) {
+namespace {
+
+Status CheckSums(const IntrinsicSurface& surface, const ConeTargets& targets, bool of_corners,
+                 InfeasibilityCertificate* certificate) {
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckNumbers(t, targets); !s.ok()) return s;
   Eigen::VectorXd of_vertices = Eigen::VectorXd::Zero(t.num_vertices);
   double of_faces = 0;
-  Status status = CheckCorners(surface, targets, &of_vertices);
+  Status status = CheckCorners(surface, targets, of_corners, &of_vertices);
   if (status.ok()) {
     double sign = 0;
     status = CheckGaussBonnet(surface, targets, &sign);
@@ -129,6 +133,18 @@ Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
   }
   if (!status.ok() && certificate) *certificate = Certify(t, targets, of_faces, of_vertices);
   return status;
+}
+
+}  // namespace
+
+Status CheckTargets(const IntrinsicSurface& surface, const ConeTargets& targets,
+                    InfeasibilityCertificate* certificate) {
+  return CheckSums(surface, targets, true, certificate);
+}
+
+Status CheckAngleSums(const IntrinsicSurface& surface, const ConeTargets& targets,
+                      InfeasibilityCertificate* certificate) {
+  return CheckSums(surface, targets, false, certificate);
 }
 
 }  // namespace cirque

@@ -33,7 +33,7 @@ std::string Fault(const Cone& cone, const std::vector<Index>& corners) {
 
 }  // namespace
 
-StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& t, const std::vector<Cone>& cones) {
+StatusOr<ConeTargets> TargetsAtCones(const Triangulation& t, const std::vector<Cone>& cones) {
   ConeTargets targets = FreeBoundaryTargets(t);
   const std::vector<Index> corners = CornersPerVertex(t);
   std::vector<bool> named(t.num_vertices, false);
@@ -48,7 +48,13 @@ StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& t, const std::vector<Co
     targets.lower[cone.vertex] = cone.lower;
     targets.upper[cone.vertex] = cone.upper;
   }
-  const GaussBonnetDefect defect = MeasureGaussBonnetDefect(t, targets);
+  return targets;
+}
+
+StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& t, const std::vector<Cone>& cones) {
+  StatusOr<ConeTargets> targets = TargetsAtCones(t, cones);
+  if (!targets.ok()) return targets;
+  const GaussBonnetDefect defect = MeasureGaussBonnetDefect(t, *targets);
   if (BoundaryLoops(t).empty() && !defect.IsZeroPossible(kRounding)) {
     return Status::InvalidInput(
         fmt::format("Gauss-Bonnet: {} cones leave the angle sums {:.6g} pi {} what the triangles "

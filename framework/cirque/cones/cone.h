@@ -29,6 +29,10 @@ inline Cone ConeOfCurvature(Index vertex, double curvature) {
 StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& triangulation,
                                     const std::vector<Cone>& cones);
 
+/// The same of any number of components, whatever their angle sums add up to.
+StatusOr<ConeTargets> TargetsAtCones(const Triangulation& triangulation,
+                                     const std::vector<Cone>& cones);
+
 /// The way back: the vertices whose targets are not those of FreeBoundaryTargets.
 std::vector<Cone> ConesOf(const Triangulation& triangulation, const ConeTargets& targets);
 

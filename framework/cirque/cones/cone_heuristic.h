@@ -33,6 +33,7 @@ struct ConeBudget {
   LogScaleNorm norm = LogScaleNorm::kL2;  ///< of the log scale u for `target`
 };
 
+/// The rows of ConeBudget, for the table of a struct that derives from it.
 template <class T>
 std::vector<Option<T>> BudgetOptions() {
   return {

@@ -6,30 +6,12 @@
 
 #include <glog/logging.h>
 
+#include "cirque/cones/linear_model.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/linear/registry.h"
 
 namespace cirque {
 namespace {
-
-constexpr double kLeastWeight = 1e-8, kGreatestWeight = 1e8;  ///< of an edge
-constexpr double kLeastArea = 1e-6;                           ///< of a vertex, in means
-
-double Cotangent(double angle) { return std::cos(angle) / std::max(std::sin(angle), 1e-12); }
-
-/// A third of each face's area to each of its corners, total 1.
-Eigen::VectorXd VertexAreas(const Triangulation& t, const EdgeLengths& lengths,
-                            const CornerAngles& angles) {
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(t.num_vertices);
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    const Index first = h - h % 3;
-    const double face = lengths.value[t.edge[first]] * lengths.value[t.edge[first + 1]] *
-                        std::sin(angles.value[first + 2]);
-    area[t.vertex[h]] += face;
-  }
-  area = area.cwiseMax(kLeastArea * area.mean());
-  return area / area.sum();
-}
 
 Eigen::VectorXd Curvatures(const Triangulation& t, const CornerAngles& angles,
                            const std::vector<bool>& boundary) {
@@ -70,7 +52,7 @@ ConeProblem::ConeProblem(IntrinsicSurface surface, ConeSource source)
     candidates_.push_back(v);
   }
   curvature_ = Curvatures(t, surface_.angles, surface_.boundary);
-  area_ = VertexAreas(t, lengths(), surface_.angles);
+  area_ = VertexAreas(surface_);
 }
 
 ConeProblem::~ConeProblem() = default;
@@ -85,12 +67,11 @@ SparseMatrix ConeProblem::LowerLaplacian() const {
   const auto num_unknowns = static_cast<int>(candidates_.size());
   // The boundary is one more node, whose row is dropped: u = 0 there.
   LaplacianAssembler assembler(num_unknowns + 1, t.num_edges());
-  for (const Index h : t.edge_halfedge) {
-    double weight = Cotangent(surface_.angles.value[h]);
-    if (t.twin[h] != kNone) weight += Cotangent(surface_.angles.value[t.twin[h]]);
-    const auto node = [&](Index v) { return number_[v] == kNone ? num_unknowns : number_[v]; };
-    assembler.Add(node(t.Tail(h)), node(t.Tip(h)),
-                  std::clamp(0.5 * weight, kLeastWeight, kGreatestWeight));
+  const Eigen::VectorXd weight = CotangentWeights(surface_);
+  const auto node = [&](Index v) { return number_[v] == kNone ? num_unknowns : number_[v]; };
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    assembler.Add(node(t.Tail(h)), node(t.Tip(h)), weight[e]);
   }
   SparseMatrix lower;
   assembler.Assemble(&lower);

@@ -7,12 +7,13 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/energy/energy.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/cone_file.h"
-#include "cirque/linear/sparse_cholesky.h"
+#include "cirque/linear/sparse_matrix.h"
 
 namespace cirque {
+
+class SparseCholesky;
 
 /// The surface as its user has it, where that is not the connectivity cones are sought on. The
 /// vertices are the same.

@@ -5,6 +5,7 @@
 #include "cirque/cones/curvature_peaks.h"
 #include "cirque/cones/greedy_cones.h"
 #include "cirque/cones/moving_cones.h"
+#include "cirque/cones/seamless_cones.h"
 #include "cirque/cones/sparse_cones.h"
 #include "cirque/core/option.h"
 #include "cirque/io/cone_file.h"
@@ -14,6 +15,8 @@ namespace {
 
 class NoCones final : public ConeHeuristic {
  public:
+  explicit NoCones(NoOptions /*options*/) {}
+
   StatusOr<std::vector<Cone>> Choose(const ConeProblem& /*problem*/) const override {
     return std::vector<Cone>();
   }
@@ -50,16 +53,14 @@ class GivenCones final : public ConeHeuristic {
 
 using Made = StatusOr<std::shared_ptr<const ConeHeuristic>>;
 
-struct NoOptions {};
-
-Made MakeNone(const OptionMap& map) {
-  NoOptions options;
-  if (Status s = OptionTable<NoOptions>("none", {}).Set(map, &options); !s.ok()) return s;
-  return std::shared_ptr<const ConeHeuristic>(std::make_shared<NoCones>());
-}
-
 Made MakeMoving(const OptionMap& map) {
   return MovingCones::Make(map, [](const std::string& name, const OptionMap& options) {
+    return MakeConeHeuristic(name, options);
+  });
+}
+
+Made MakeSeamless(const OptionMap& map) {
+  return SeamlessCones::Make(map, [](const std::string& name, const OptionMap& options) {
     return MakeConeHeuristic(name, options);
   });
 }
@@ -70,13 +71,14 @@ const Registry<ConeHeuristicFactory>& ConeHeuristics() {
   static const Registry<ConeHeuristicFactory> kTable(
       "cone heuristic",
       {
-          {"none", MakeNone},
+          {"none", HeuristicFactory<NoCones>(OptionTable<NoOptions>("none", {}))},
           {"given", HeuristicFactory<GivenCones>(GivenOptionTable())},
           {"curvature_peaks", HeuristicFactory<CurvaturePeaks>(CurvaturePeaksOptionTable())},
           {"greedy", HeuristicFactory<GreedyCones>(GreedyOptionTable())},
           {"l1", HeuristicFactory<L1Cones>(L1OptionTable())},
           {"reweighted", HeuristicFactory<ReweightedCones>(ReweightedOptionTable())},
           {"moving", MakeMoving},
+          {"seamless", MakeSeamless},
       });
   return kTable;
 }

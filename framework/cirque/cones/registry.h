@@ -9,6 +9,7 @@
 
 namespace cirque {
 
+/// Makes a heuristic from its options; errors name the option, its value and its bound.
 using ConeHeuristicFactory =
     std::function<StatusOr<std::shared_ptr<const ConeHeuristic>>(const OptionMap&)>;
 
@@ -35,14 +36,23 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> ParseConeHeuristic(const std::str
 /// Whether the text is one, without placing anything.
 Status CheckConeHeuristic(const std::string& text);
 
-/// A factory whose heuristic H is constructed from its options struct O, read through `table`.
-template <class H, class O>
-ConeHeuristicFactory HeuristicFactory(const OptionTable<O>& table) {
-  return [table](const OptionMap& map) -> StatusOr<std::shared_ptr<const ConeHeuristic>> {
+/// A factory of a Base whose Made is constructed from its options struct O, read through `table`.
+template <class Base, class Made, class O>
+auto FactoryOf(const OptionTable<O>& table) {
+  return [table](const OptionMap& map) -> StatusOr<std::shared_ptr<const Base>> {
     O options;
     if (Status status = table.Set(map, &options); !status.ok()) return status;
-    return std::shared_ptr<const ConeHeuristic>(std::make_shared<H>(options));
+    return std::shared_ptr<const Base>(std::make_shared<Made>(options));
   };
+}
+
+/// The options of what has none.
+struct NoOptions {};
+
+/// A factory of the heuristic H.
+template <class H, class O>
+ConeHeuristicFactory HeuristicFactory(const OptionTable<O>& table) {
+  return FactoryOf<ConeHeuristic, H>(table);
 }
 
 }  // namespace cirque

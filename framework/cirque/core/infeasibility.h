@@ -24,13 +24,19 @@ struct InfeasibilityCertificate {
   std::vector<double> lower_over_pi;      ///< their angle sums' intervals
   std::vector<double> upper_over_pi;
   std::vector<double> vertex_multiplier;  ///< one per constrained vertex
-  std::vector<Index> carrying_faces;      ///< where the multipliers are largest: look here first
+  /// Where the multipliers are largest: look here first. In certificates the file's faces.
+  std::vector<Index> carrying_faces;
   std::vector<Index> carrying_vertices;
   double margin = 0;  ///< left side minus right side, as computed
   /// kNone, or the vertex without whose faces the certificate is meant, the faces around it having
   /// the multiplier 0: of a closed surface (maps to the sphere), or on the boundary of a disk, of
   /// which the faces beyond chords are left out too (maps to the disk and half-plane).
   Index removed_vertex = kNone;
+
+  /// Which triangles the faces are, where those of the file are polygons, or where it has others: F,
+  /// the file's face, and 3F, the numbers of the corners among that face's corners, from 0. Empty:
+  /// the file's faces are triangles, and these are all of them.
+  std::vector<Index> triangle_face, triangle_corner;
 
   bool empty() const { return face_multiplier.empty(); }
 };

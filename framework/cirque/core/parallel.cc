@@ -7,6 +7,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace cirque {
@@ -39,6 +40,22 @@ void ForEachBlock(int n, const std::function<void(int block, int begin, int end)
 
 void ParallelTasks(int n, const std::function<void(int)>& body) {
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, n, body); });
+}
+
+void ParallelQueue(int n, const std::function<void(int)>& body) {
+  const int threads = std::min(n, NumThreads());
+  if (threads <= 1) {
+    for (int i = 0; i < n; ++i) body(i);
+    return;
+  }
+  std::atomic<int> next = 0;
+  ParallelTasks(threads, [&](int) {
+    for (int i = next++; i < n; i = next++) {
+      // An arena of its own: a thread that waits in it does no work of another piece.
+      tbb::task_arena arena(NumThreads());
+      arena.execute([&] { body(i); });
+    }
+  });
 }
 
 void ParallelSort(std::vector<std::pair<double, int>>* keys) {

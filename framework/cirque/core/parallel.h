@@ -53,6 +53,11 @@ void ParallelFor(int n, const Body& body) {
 /// Calls body(i) for every i in [0, n), each a long piece of work, under the same conditions.
 void ParallelTasks(int n, const std::function<void(int)>& body);
 
+/// Calls body(i) for every i in [0, n), begun in that order as threads come free: long pieces of work
+/// of different size, the longest first. Each may have parallel loops of its own, which share the
+/// same threads and never take up another piece while they wait. body must not throw.
+void ParallelQueue(int n, const std::function<void(int)>& body);
+
 /// Sorts by value, then by index; no value may be NaN.
 void ParallelSort(std::vector<std::pair<double, int>>* keys);
 

@@ -1,6 +1,7 @@
 // core/parallel.h by plain threads instead of oneTBB: for the thread sanitizer, which sees what
 // std::thread orders but not what a scheduler does that was built without it.
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -62,6 +63,13 @@ void ParallelTasks(int n, const std::function<void(int)>& body) {
   std::vector<std::jthread> others;
   for (int first = 1; first < threads; ++first) others.emplace_back(work, first);
   work(0);
+}
+
+void ParallelQueue(int n, const std::function<void(int)>& body) {
+  std::atomic<int> next = 0;
+  ParallelTasks(std::min(n, NumThreads()), [&](int) {
+    for (int i = next++; i < n; i = next++) body(i);
+  });
 }
 
 void ForEachBlock(int n, const std::function<void(int block, int begin, int end)>& body) {

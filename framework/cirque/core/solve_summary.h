@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -76,6 +77,12 @@ struct SolveControl {
   /// May be null. Has solved with a matrix near the Hessian at the start (SolverStrategy's
   /// MakeSystemSolver), for strategies that solve their systems iteratively.
   SystemSolver* system_solver = nullptr;
+  /// May be empty. Told by whoever solves in stages which one begins: "angles", "radii", "layout".
+  std::function<void(std::string_view stage)> on_stage = {};
+
+  void BeginStage(std::string_view stage) const {
+    if (on_stage) on_stage(stage);
+  }
 };
 
 /// Wall-clock seconds since construction.

@@ -1,6 +1,7 @@
 #include "cirque/cuts/cut_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "cirque/core/grouping.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/shortest_path.h"
+#include "cirque/mesh/holes.h"
 
 namespace cirque {
 namespace {
@@ -126,7 +128,7 @@ void JoinTerminals(const EdgeGraph& graph, const Eigen::VectorXd& cost,
   };
   std::vector<Index> bridges;
   for (Index e = 0; e < graph.num_edges(); ++e) {
-    if (sources(e).first != sources(e).second) bridges.push_back(e);
+    if (sources(e).first != sources(e).second && std::isfinite(cost[e])) bridges.push_back(e);
   }
   DisjointSets joined(graph.num_nodes());
   for (const Index e : SortByPathLength(graph, cost, forest, std::move(bridges))) {
@@ -253,6 +255,59 @@ Status CheckCut(const Triangulation& t, const Cut& cut, const std::vector<Index>
         problems.empty() ? "" : "; ", IdList(covered));
   }
   return problems.empty() ? Status() : Status::InvalidInput("invalid cut: " + problems);
+}
+
+namespace {
+
+/// A patch of a surface that was opened along a cut, on its own.
+struct OpenedPatch {
+  SubTriangulation part;
+  Eigen::VectorXd cost;
+  std::vector<Index> cones;  ///< inside
+};
+
+OpenedPatch TakePatch(const Triangulation& t, const Eigen::VectorXd& cost,
+                      const Triangulation& open, const std::vector<bool>& keep,
+                      const std::vector<bool>& is_cone) {
+  OpenedPatch patch{KeepFaces(open, keep), {}, {}};
+  const Triangulation& part = patch.part.triangulation;
+  patch.cost.resize(part.num_edges());
+  std::vector<bool> inside(part.num_vertices, false);
+  for (Index h = 0; h < part.num_halfedges(); ++h) {
+    patch.cost[part.edge[h]] = cost[t.edge[patch.part.Halfedge(h)]];
+    if (is_cone[t.vertex[patch.part.Halfedge(h)]]) inside[part.vertex[h]] = true;
+  }
+  const std::vector<bool> on_boundary = BoundaryVertices(part);
+  for (Index v = 0; v < part.num_vertices; ++v) {
+    if (inside[v] && !on_boundary[v]) patch.cones.push_back(v);
+  }
+  return patch;
+}
+
+}  // namespace
+
+StatusOr<Cut> CompleteCut(const Triangulation& t, const Eigen::VectorXd& edge_cost,
+                          const Cut& given, const std::vector<Index>& cones) {
+  if (Status s = RequireCones(t, cones); !s.ok()) return s;
+  const Triangulation open = CutOpen(t, given);
+  const Patches patches = ConnectedPatches(open);
+  if (patches.count == 1 && given.IsEmpty()) return CutGraph(t, edge_cost, cones);
+  if (CheckCut(t, given, cones).ok()) return given;
+  std::vector<bool> is_cone(t.num_vertices, false), keep(t.num_faces());
+  for (const Index v : cones) is_cone[v] = true;
+  Cut cut = given;
+  for (Index p = 0; p < patches.count; ++p) {
+    for (Index f = 0; f < t.num_faces(); ++f) keep[f] = patches.of_face[f] == p;
+    const OpenedPatch patch = TakePatch(t, edge_cost, open, keep, is_cone);
+    const StatusOr<Cut> further = CutGraph(patch.part.triangulation, patch.cost, patch.cones);
+    if (!further.ok()) return further.status();
+    for (Index h = 0; h < patch.part.triangulation.num_halfedges(); ++h) {
+      if (further->edge[patch.part.triangulation.edge[h]]) {
+        cut.edge[t.edge[patch.part.Halfedge(h)]] = true;
+      }
+    }
+  }
+  return cut;
 }
 
 }  // namespace cirque

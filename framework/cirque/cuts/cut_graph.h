@@ -22,11 +22,19 @@ namespace cirque {
 /// problem in graphs", 1988: at most twice the shortest tree). Boundary loops count as points, so
 /// walking along them is free. O(E log E).
 ///
-/// `edge_cost`: one an edge, finite and >= 0 (edge lengths, for instance). `cones`: vertices, in
+/// `edge_cost`: one an edge, >= 0 (edge lengths, for instance); infinity where an edge must stay
+/// closed, as diagonals of polygons must. Those edges may separate no vertices, and cross the edges
+/// of the dual along disks only. `cones`: vertices, in
 /// any order, repeated or on the boundary too. Errors (invalid input): a cone that does not exist;
 /// a sphere with fewer than two cones, which no cut through them opens.
 StatusOr<Cut> CutGraph(const Triangulation& triangulation, const Eigen::VectorXd& edge_cost,
                        const std::vector<Index>& cones);
+
+/// A given cut and what is needed beyond it: every patch that it leaves and that is no disk, or has
+/// cones inside, is opened further by CutGraph. Errors: as of that; a surface in several pieces is
+/// none.
+StatusOr<Cut> CompleteCut(const Triangulation& triangulation, const Eigen::VectorXd& edge_cost,
+                          const Cut& given, const std::vector<Index>& cones);
 
 /// The interior vertices whose angle sum is not required to be 2 pi.
 std::vector<Index> ConeVertices(const std::vector<bool>& boundary, const ConeTargets& targets);

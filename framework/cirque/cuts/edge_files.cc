@@ -57,6 +57,13 @@ class CutParser {
     const auto end = static_cast<Index>(3 * (last - numbers_.face.begin()));
     Index h = FindHalfedge(begin, end, line.from, line.to);
     if (h == kNone) h = FindHalfedge(begin, end, line.to, line.from);
+    if (h != kNone && numbers_.IsInside(t_.edge[h])) {
+      return scanner_.Error(
+          fmt::format("vertices {} and {} are corners of face {}, but no side of it joins them; a "
+                      "cut runs along "
+                      "sides",
+                      line.from, line.to, line.face));
+    }
     if (h == kNone) {
       return scanner_.Error(fmt::format("face {} has no edge from vertex {} to vertex {}",
                                         line.face, line.from, line.to));
@@ -64,12 +71,16 @@ class CutParser {
     return Judge(t_.edge[h]);
   }
 
+  /// A side rather than a diagonal.
   Index FindHalfedge(Index begin, Index end, long long from, long long to) const {
+    Index diagonal = kNone;
     for (Index h = begin; h < end; ++h) {
       const bool starts = numbers_.vertex[t_.Tail(h)] == from - 1;
-      if (starts && numbers_.vertex[t_.Tip(h)] == to - 1) return h;
+      if (!starts || numbers_.vertex[t_.Tip(h)] != to - 1) continue;
+      if (!numbers_.IsInside(t_.edge[h])) return h;
+      diagonal = h;
     }
-    return kNone;
+    return diagonal;
   }
 
   StatusOr<Index> Judge(Index e) {
@@ -93,11 +104,11 @@ class CutParser {
 }  // namespace
 
 FileNumbers NumbersInFile(const Surface& surface) {
-  return {surface.soup_vertex, surface.soup_polygon};
+  return {surface.soup_vertex, surface.soup_polygon, EdgesInsidePolygons(surface)};
 }
 
 FileNumbers OwnNumbers(const Triangulation& t) {
-  FileNumbers numbers = {std::vector<Index>(t.num_vertices), std::vector<Index>(t.num_faces())};
+  FileNumbers numbers = {std::vector<Index>(t.num_vertices), std::vector<Index>(t.num_faces()), {}};
   std::iota(numbers.vertex.begin(), numbers.vertex.end(), 0);
   std::iota(numbers.face.begin(), numbers.face.end(), 0);
   return numbers;

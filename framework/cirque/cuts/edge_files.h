@@ -16,6 +16,9 @@ namespace cirque {
 /// split off one polygon bear its number; numbers of faces do not decrease.
 struct FileNumbers {
   std::vector<Index> vertex, face;
+  std::vector<bool> inside = {};  ///< E: edges inside a face, which the file has not; empty: none
+
+  bool IsInside(Index edge) const { return !inside.empty() && inside[edge]; }
 };
 
 FileNumbers NumbersInFile(const Surface& surface);
@@ -29,7 +32,8 @@ FileNumbers OwnNumbers(const Triangulation& triangulation);
 /// OBJ file. A face to the right of the edge is understood where none on the left is meant (the
 /// file's faces may be oriented either way). '#' begins a comment, empty lines are skipped.
 /// Errors (invalid input), each with file:line: not three whole numbers, a vertex or face that does
-/// not exist, a face without that edge, an edge given twice, a boundary edge.
+/// not exist, a face without that edge or in which the two vertices are not next to each other, an
+/// edge given twice, a boundary edge.
 StatusOr<Cut> ParseCut(const std::string& path, std::string_view text,
                        const Triangulation& triangulation, const FileNumbers& numbers);
 

@@ -48,7 +48,8 @@ struct ShortestPathForest {
   std::vector<Index> edge;       ///< per node: the edge towards the source, kNone at a source
 };
 
-/// Dijkstra's algorithm from several sources, O(E log E). Costs are one an edge, finite and >= 0.
+/// Dijkstra's algorithm from several sources, O(E log E). Costs are one an edge, >= 0; no path leads
+/// along an edge of infinite cost.
 ShortestPathForest GrowShortestPaths(const EdgeGraph& graph, const Eigen::VectorXd& edge_cost,
                                      const std::vector<Index>& sources);
 

@@ -57,7 +57,8 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
 /// kInvalidInput: no closed surface of genus 0, no such pole or normalisation; kInfeasible: no
 /// coherent angles on the input's connectivity without the pole's star (the certificate holds the
 /// proof; by Rivin's theorem no other vertex would do, save for the margin epsilon);
-/// kUnrepresentable: limbs too long for doubles on one sphere; kNotConverged.
+/// kUnrepresentable: limbs too long for doubles on one sphere, before any solve where the linear
+/// model predicts it by far (PredictedLogRange); kNotConverged.
 /// Source of the reduction to the plane: L. Kharevych, thesis (2006), with the link kept convex.
 Status MapToSphere(const Surface& surface, const MapRequest& request, const SolveControl& control,
                    SurfaceMap* map);
@@ -91,6 +92,28 @@ Status MapToPolygon(const Surface& surface, const MapRequest& request, const Sol
 /// MapToPolygon with three corners: an equilateral triangle, which has no modulus.
 Status MapToTriangle(const Surface& surface, const MapRequest& request, const SolveControl& control,
                      SurfaceMap* map);
+
+// Periodic maps: the plane's own, with boundaries straight and no cones, whose seams then are
+// translations. Seams are exact: the two places of a vertex on the cut differ by whole periods to the
+// last bit. Certificate: PeriodicSummary. Errors: kInvalidInput for any other topology, those of
+// Parameterize, kUnrepresentable where triangles come out flipped at last.
+
+/// Map of a surface of genus 0 with two boundary loops to the strip 0 <= y <= 1, periodic along x: the
+/// longer loop at y = 0, the other one at y = 1, exactly. The period is 2 pi / log(R / r) of the annulus
+/// that the surface is conformal to.
+Status MapToStrip(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                  SurfaceMap* map);
+
+/// The same strip wound round, z -> e^{2 pi i z / period}: the longer loop on the unit circle, the
+/// other one on that of radius e^{-2 pi / period}, vertices on them to rounding; no seams. Triangles
+/// are straight: of a mesh too coarse for the inner circle some come out flipped (kUnrepresentable).
+Status MapToAnnulus(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                    SurfaceMap* map);
+
+/// Map of a closed surface of genus 1 to the plane modulo 1 and tau, tau its modulus in the
+/// fundamental domain (ReduceLattice): opened along a short cut, no cones.
+Status MapToTorus(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                  SurfaceMap* map);
 
 /// Parameterize: a surface of any topology, opened along a cut where it is no disk or has cones.
 Status MapToPlane(const Surface& surface, const MapRequest& request, const SolveControl& control,

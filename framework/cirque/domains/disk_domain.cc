@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/disk_placement.h"
 #include "cirque/domains/half_plane_chart.h"
@@ -17,7 +17,6 @@ namespace cirque {
 namespace {
 
 constexpr int kMaxDoublings = 60;  ///< of the pole's height
-constexpr double kSpreads[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1};
 
 Index CountFalse(const std::vector<bool>& flags) {
   return static_cast<Index>(std::count(flags.begin(), flags.end(), false));
@@ -100,33 +99,39 @@ void Deliver(const Triangulation& t, const EdgeLengths& lengths, CornerUv uv, Su
   map->certificate.seconds.measures = timer.Seconds();
 }
 
-/// The share of spreading that distorts least among those that flip no triangle: the area-weighted
-/// mean of log(quasi-conformal distortion).
+/// The share of spreading that distorts least; 1 where all flip triangles.
 double SpreadBest(const IntrinsicSurface& surface, const HalfPlaneChart& chart,
                   DiskPlacement* disk) {
-  double best = 1, least = std::numeric_limits<double>::infinity();
-  for (const double share : kSpreads) {
-    if (!disk->Spread(chart, share).empty()) continue;
-    const CornerUv uv = disk->Uv();
-    const MappedFaces faces = MeasureFaces(surface.triangulation, surface.lengths, uv);
-    const Eigen::ArrayXd quasi_conformal = faces.sigma_max.array() / faces.sigma_min.array();
-    const double mean = faces.area.dot(quasi_conformal.log().matrix());
-    if (mean < least) best = share;
-    least = std::min(least, mean);
-  }
-  return best;
+  const auto place = [&](double share, CornerUv* uv) {
+    const bool clean = disk->Spread(chart, share).empty();
+    *uv = disk->Uv();
+    return clean;
+  };
+  return LeastDistortingShare(surface, place).value_or(1);
 }
 
-/// Refines the map inside the circle, the centre staying where it is. Not where the inner vertices'
-/// centre of mass is at 0.
+/// What a refinement leaves where it is: the centre, and the boundary, which slides along the circle
+/// but for the vertex of angle zero; all of it where a mean of its places is prescribed.
+KeptVertices KeptInDisk(const IntrinsicSurface& surface, const DomainOptions& shape,
+                        const DiskPlacement& disk) {
+  KeptVertices kept{surface.boundary};
+  if (!PutsMassAtCentre(shape)) {
+    kept.held.assign(surface.boundary.size(), false);
+    kept.sliding.slides = surface.boundary;
+    kept.held[disk.angle_zero()] = true;
+  }
+  if (disk.centre() != kNone) kept.held[disk.centre()] = true;
+  return kept;
+}
+
+/// Refines the map inside the circle. Not where the inner vertices' centre of mass is at 0.
 Status RefineInDisk(const IntrinsicSurface& surface, const MapRequest& request,
                     const SolveControl& control, DiskPlacement* disk, Certificate* certificate) {
   if (request.shape.normalization == "area") return Status();
-  std::vector<bool> held = surface.boundary;
-  if (disk->centre() != kNone) held[disk->centre()] = true;
   CornerUv uv = disk->Uv();
-  const Status status = RefineHeldMap(surface, std::move(held), request.options.refine_map,
-                                      control.cancelled, &uv, &certificate->map_refinement);
+  const Status status =
+      RefineHeldMap(surface, KeptInDisk(surface, request.shape, *disk), request.options.refine_map,
+                    control.cancelled, &uv, &certificate->map_refinement);
   if (status.ok()) disk->TakePositions(uv);
   return status;
 }
@@ -152,6 +157,56 @@ double RaisePole(const Triangulation& t, const HalfPlaneChart& chart, CornerUv* 
   return height;
 }
 
+/// A triangle as it is, the side opposite the pole (or the longest one) on the real axis.
+CornerUv TriangleInHalfPlane(const Surface& surface, const IntrinsicSurface& triangle, Index pole,
+                             SurfaceMap* map) {
+  const std::vector<Index>& vertex = triangle.triangulation.vertex;
+  Eigen::Index corner = 0;
+  triangle.angles.value.maxCoeff(&corner);
+  if (pole != kNone) corner = std::find(vertex.begin(), vertex.end(), pole) - vertex.begin();
+  const auto at_pole = static_cast<Index>(corner);
+  const Index next = Triangulation::Next(at_pole), prev = Triangulation::Prev(at_pole);
+  const auto length = [&](Index h) {
+    return triangle.lengths.value[triangle.triangulation.edge[h]];
+  };
+  const double angle = triangle.angles.value[next];
+  CornerUv uv{std::vector<Eigen::Vector2d>(3)};
+  uv.value[next] = {0, 0};
+  uv.value[prev] = {length(at_pole), 0};
+  uv.value[at_pole] = length(prev) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  map->certificate.half_plane =
+      HalfPlaneSummary{FileNumber(surface, vertex[at_pole]), uv.value[at_pole].y(), 0};
+  return uv;
+}
+
+/// Refines the chart without the pole's faces: its inner vertices move, those of the straight
+/// boundary slide along the real axis, but for the ends of the chain, and the pole's link stays.
+Status RefineInHalfPlane(const MapRequest& request, const SolveControl& control,
+                         HalfPlaneChart* chart, Certificate* certificate) {
+  const PuncturedDisk& disk = chart->disk;
+  const Triangulation& t = disk.rest.triangulation;
+  if (disk.rest.face.empty()) return Status();
+  const IntrinsicSurface rest = MeasureSurface(t, disk.lengths);
+  KeptVertices kept{rest.boundary};
+  kept.sliding.slides.assign(t.num_vertices, false);
+  kept.sliding.direction.assign(t.num_vertices, 1.0);
+  for (std::size_t k = 1; k + 1 < disk.chain.size(); ++k) {
+    kept.sliding.slides[disk.chain[k]] = true;
+    kept.held[disk.chain[k]] = false;
+  }
+  CornerUv uv;
+  for (const Index v : t.vertex) {
+    const Complex z = chart->position[disk.rest.vertex[v]];
+    uv.value.emplace_back(z.real(), z.imag());
+  }
+  const Status status = RefineHeldMap(rest, std::move(kept), request.options.refine_map,
+                                      control.cancelled, &uv, &certificate->map_refinement);
+  for (Index h = 0; status.ok() && h < t.num_halfedges(); ++h) {
+    chart->position[disk.rest.vertex[t.vertex[h]]] = {uv.value[h].x(), uv.value[h].y()};
+  }
+  return status;
+}
+
 }  // namespace
 
 Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
@@ -173,6 +228,7 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
   if (!clean && !disk.Spread(chart, spread).empty()) {
     return Unrepresentable("points of the unit disk");
   }
+  control.BeginStage("refinement");
   Status refined = RefineInDisk(intrinsic, request, control, &disk, &map->certificate);
   if (!refined.ok()) return refined;
   DiskSummary summary = Summarize(surface, chart, disk, spread);
@@ -190,12 +246,16 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
   const std::vector<bool> core = LargestChordlessPiece(t, intrinsic.boundary);
   const Index overhang = CountFalse(core);
-  if (overhang > 0 || t.num_faces() == 1) {
-    return Status::InvalidInput(
-        fmt::format("{} faces lie beyond edges that join two boundary vertices, face {} (0-based) "
-                    "among them: a "
-                    "straight boundary leaves them no area; split those edges, or map to the disk",
-                    overhang, std::find(core.begin(), core.end(), false) - core.begin()));
+  if (t.num_faces() == 1) {
+    Deliver(t, lengths, TriangleInHalfPlane(surface, intrinsic, request.shape.pole, map), map);
+    return Status();
+  }
+  if (overhang > 0) {
+    const auto first = std::find(core.begin(), core.end(), false) - core.begin();
+    return Status::InvalidInput(fmt::format(
+        "{} triangles lie beyond edges that join two boundary vertices, one of them in face {} "
+        "(0-based): a straight boundary leaves them no area; split those edges, or map to the disk",
+        overhang, surface.soup_polygon[first]));
   }
   HalfPlaneChart chart;
   CornerUv uv;
@@ -211,6 +271,10 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
                           &map->certificate, &chart, &clean);
   if (!status.ok()) return status;
   if (!clean) return Unrepresentable("points of the half-plane");
+  control.BeginStage("refinement");
+  Status refined = RefineInHalfPlane(request, control, &chart, &map->certificate);
+  if (!refined.ok()) return refined;
+  FlippedFrom(t, chart, height, &uv);
   map->certificate.half_plane =
       HalfPlaneSummary{FileNumber(surface, chart.disk.pole), height, chart.straightness};
   Deliver(t, lengths, std::move(uv), map);

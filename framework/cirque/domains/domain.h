@@ -27,6 +27,8 @@ struct DomainOptions {
   /// rectangle, polygon, triangle: corner vertices in the boundary's order, the surface on its left
   std::vector<Index> corners = {};
   int sides = 4;  ///< polygon without corners given: how many
+  /// plane: a file of where vertices go, a line `vertex x y` each (ReadPins); empty: none.
+  std::string pins = {};
   /// sphere: turned so that the second moments of the surface's area on it are largest along x and
   /// smallest along z, the third moments along x and y positive. (Symmetric surfaces leave axes or
   /// signs undetermined: rounding then decides, the same way every time.)
@@ -46,6 +48,9 @@ const OptionTable<DomainOptions>& DomainOptionTable();
 struct MapRequest : ParameterizeRequest {
   std::string domain = "plane";  ///< a name of Domains()
   DomainOptions shape = {};
+  /// Polygons: where the conformal map's coordinates do not tell vertices apart, its boundary is
+  /// spread out (SpreadInPolygon) instead of no map. A rung of the ladder asks for it.
+  bool spread_boundary = false;
 };
 
 /// A conformal map of a surface: `uv` of its corners in the plane, or `position` of its vertices on

@@ -44,8 +44,15 @@ const OptionTable<DomainOptions>& DomainOptionTable() {
         Vertex("corners", &O::corners,
                "rectangle, polygon, triangle: boundary vertices in order, else chosen"),
         Option<O>("sides", &O::sides, "polygon: how many corners to choose, where none are given")
-            .Between(3, 1000)};
-    for (Option<O>& row : rows) row = std::move(row).About("Domain");
+            .Between(3, 1000),
+        {"pins", &O::pins,
+         "plane: file of where vertices go, 'vertex x y' a line: one moves the map, two turn and "
+         "scale it"}};
+    for (Option<O>& row : rows) {
+      const std::string& name = row.info().name;
+      const bool of_sphere = name == "principal_axes" || name == "inversion";
+      row = std::move(row).About(of_sphere ? "Sphere" : "Shape");
+    }
     return rows;
   }());
   return kTable;

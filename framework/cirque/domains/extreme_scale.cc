@@ -33,6 +33,9 @@ Surface Scaled(Surface surface, int exponent) {
 
 void ScaleMap(int exponent, SurfaceMap* map) {
   for (Eigen::Vector2d& uv : map->uv.value) uv = TimesPowerOfTwo(uv, exponent);
+  if (map->exact_map) {
+    for (Eigen::Vector2d& uv : map->exact_map->uv) uv = TimesPowerOfTwo(uv, exponent);
+  }
   FlatSurface& flat = map->flat;
   for (EdgeLengths* lengths :
        {&flat.intrinsic.lengths, &flat.intrinsic_lengths, &flat.on_input.lengths}) {

@@ -38,33 +38,6 @@ std::vector<double> DelaunayExcess(const Triangulation& t, const CornerAngles& a
   return excess;
 }
 
-/// The core's boundary vertices, the best poles first: where the boundary is straight already, as
-/// are the neighbours, and where the edges are Delaunay.
-std::vector<Index> RankPoles(const IntrinsicSurface& whole, const std::vector<bool>& core) {
-  const SubTriangulation part = KeepFaces(whole.triangulation, core);
-  const Triangulation& t = part.triangulation;
-  CornerAngles angles = {Eigen::VectorXd(t.num_halfedges())};
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    angles.value[h] = whole.angles.value[part.Halfedge(h)];
-  }
-  const std::vector<double> excess = DelaunayExcess(t, angles);
-  std::vector<double> bend(t.num_vertices, -kPi), fault(t.num_vertices, 0);
-  for (Index h = 0; h < t.num_halfedges(); ++h) bend[t.vertex[h]] += angles.value[h];
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    const Index h = t.edge_halfedge[e];
-    const double bent = t.IsBoundaryEdge(e) ? 0.5 : 0;
-    fault[t.Tail(h)] += excess[e] + bent * (std::abs(bend[t.Tail(h)]) + std::abs(bend[t.Tip(h)]));
-    fault[t.Tip(h)] += excess[e] + bent * (std::abs(bend[t.Tail(h)]) + std::abs(bend[t.Tip(h)]));
-  }
-  std::vector<std::pair<double, Index>> ranked;
-  const std::vector<Index> loop = BoundaryLoops(t).front();
-  for (const Index h : loop) ranked.emplace_back(fault[t.Tail(h)], part.vertex[t.Tail(h)]);
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<Index> poles;
-  for (const auto& [unused, v] : ranked) poles.push_back(v);
-  return poles;
-}
-
 class ChartSolve {
  public:
   ChartSolve(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
@@ -79,7 +52,7 @@ class ChartSolve {
   Status Run(bool* clean) {
     const Index pole = job_.pole;
     const std::vector<bool> core = LargestChordlessPiece(t_, job_.intrinsic.boundary);
-    const std::vector<Index> ranked = RankPoles(job_.intrinsic, core);
+    const std::vector<Index> ranked = RankPoles(job_.intrinsic);
     std::vector<Index> poles = {pole};
     if (pole == kNone) {
       poles.assign(ranked.begin(),
@@ -193,6 +166,32 @@ class ChartSolve {
 };
 
 }  // namespace
+
+std::vector<Index> RankPoles(const IntrinsicSurface& whole) {
+  const SubTriangulation part =
+      KeepFaces(whole.triangulation, LargestChordlessPiece(whole.triangulation, whole.boundary));
+  const Triangulation& t = part.triangulation;
+  CornerAngles angles = {Eigen::VectorXd(t.num_halfedges())};
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    angles.value[h] = whole.angles.value[part.Halfedge(h)];
+  }
+  const std::vector<double> excess = DelaunayExcess(t, angles);
+  std::vector<double> bend(t.num_vertices, -kPi), fault(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) bend[t.vertex[h]] += angles.value[h];
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    const double bent = t.IsBoundaryEdge(e) ? 0.5 : 0;
+    fault[t.Tail(h)] += excess[e] + bent * (std::abs(bend[t.Tail(h)]) + std::abs(bend[t.Tip(h)]));
+    fault[t.Tip(h)] += excess[e] + bent * (std::abs(bend[t.Tail(h)]) + std::abs(bend[t.Tip(h)]));
+  }
+  std::vector<std::pair<double, Index>> ranked;
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  for (const Index h : loop) ranked.emplace_back(fault[t.Tail(h)], part.vertex[t.Tail(h)]);
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<Index> poles;
+  for (const auto& [unused, v] : ranked) poles.push_back(v);
+  return poles;
+}
 
 Status CheckIsDisk(const Triangulation& t) {
   const std::size_t loops = BoundaryLoops(t).size();

@@ -26,6 +26,11 @@ struct HalfPlaneChart {
   bool increasing = true;
 };
 
+/// The boundary vertices of a disk that can be poles, those of the piece that has no chord
+/// (LargestChordlessPiece), the best first: where the boundary is straight already, as are the
+/// neighbours, and where the edges are Delaunay.
+std::vector<Index> RankPoles(const IntrinsicSurface& disk);
+
 /// kInvalidInput, with what to do, unless the surface has Euler characteristic 1 and one loop.
 Status CheckIsDisk(const Triangulation& triangulation);
 

@@ -9,80 +9,22 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
+#include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/domains/polygon_corners.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
 namespace {
 
-std::vector<Index> BoundaryVerticesInOrder(const Triangulation& t) {
-  std::vector<Index> vertices = BoundaryLoops(t).front();
-  for (Index& h : vertices) h = t.Tail(h);
-  return vertices;
-}
-
-/// Sorts the corners along the boundary, the first one staying first.
-Status SortCorners(const std::vector<Index>& loop, std::vector<Index>* corners) {
-  std::vector<Index> sorted;
-  const auto first = std::find(loop.begin(), loop.end(), corners->front());
-  for (std::size_t i = 0; first != loop.end() && i < loop.size(); ++i) {
-    const Index v = loop[(static_cast<std::size_t>(first - loop.begin()) + i) % loop.size()];
-    if (std::count(corners->begin(), corners->end(), v) == 1) sorted.push_back(v);
-  }
-  if (sorted.size() == corners->size()) {
-    *corners = sorted;
-    return Status();
-  }
-  return Status::InvalidInput(fmt::format(
-      "corners {} (0-based) must be different vertices of the boundary", IdList(*corners)));
-}
-
-/// The boundary vertices nearest to the corners of a regular polygon in the unit disk; those with
-/// one triangle, which can be nothing but corners, first.
-std::vector<Index> NearlyRegularCorners(const Triangulation& t, const CornerUv& in_disk,
-                                        int sides) {
-  std::vector<Complex> place(t.num_vertices);
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    place[t.vertex[h]] = {in_disk.value[h].x(), in_disk.value[h].y()};
-  }
-  const std::vector<Index> loop = BoundaryVerticesInOrder(t);
-  const ConeTargets free = FreeBoundaryTargets(t);  // to pi a corner
-  std::vector<Index> ears;
-  std::copy_if(loop.begin(), loop.end(), std::back_inserter(ears),
-               [&](Index v) { return free.upper[v] == kPi; });
-  std::vector<Complex> wanted;
-  for (int k = 0; k < sides; ++k) {
-    wanted.push_back(std::polar(1.0, 2 * kPi * k / sides) *
-                     place[ears.empty() ? loop[0] : ears[0]]);
-  }
-  std::vector<Index> corners;
-  const auto take = [&](auto vertex, auto place_of) {
-    corners.push_back(*vertex);
-    wanted.erase(place_of);
-  };
-  for (auto ear = ears.begin(); ear != ears.end() && !wanted.empty(); ++ear) {
-    take(ear, std::min_element(wanted.begin(), wanted.end(), [&](Complex a, Complex b) {
-           return std::abs(place[*ear] - a) < std::abs(place[*ear] - b);
-         }));
-  }
-  while (!wanted.empty()) {
-    const auto distance = [&](Index v) {
-      const bool taken = std::find(corners.begin(), corners.end(), v) != corners.end();
-      return taken ? std::numeric_limits<double>::infinity() : std::abs(place[v] - wanted.front());
-    };
-    take(std::min_element(loop.begin(), loop.end(),
-                          [&](Index a, Index b) { return distance(a) < distance(b); }),
-         wanted.begin());
-  }
-  return corners;
-}
-
 StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequest& request,
                                            const SolveControl& control, Certificate* certificate) {
   const Triangulation& t = surface.triangulation;
-  const std::vector<Index> loop = BoundaryVerticesInOrder(t);
+  const std::vector<Index> loop = BoundaryInOrder(t);
   std::vector<Index> corners = request.shape.corners;
   const int sides = request.shape.sides;
   const auto count = corners.empty() ? static_cast<std::size_t>(sides) : corners.size();
@@ -92,7 +34,11 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
                     "boundary",
                     count, loop.size()));
   }
-  if (corners.empty()) {
+  const std::vector<Index> needed = CornersBeyondChords(t);
+  if (corners.empty() && needed.size() >= count) {
+    // More needed than there are: these show that in no time.
+    corners.assign(needed.begin(), needed.begin() + static_cast<std::ptrdiff_t>(count));
+  } else if (corners.empty()) {
     const Timer timer;
     MapRequest for_disk;
     for_disk.options = request.options;
@@ -104,14 +50,14 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
     if (!status.ok()) return status.In("choosing corners by a map to the disk");
     corners = NearlyRegularCorners(t, disk.uv, sides);
   }
-  if (Status s = SortCorners(loop, &corners); !s.ok()) return s;
+  if (Status s = SortCorners(t, &corners); !s.ok()) return s;
   return corners;
 }
 
 /// Straight but at the corners, which have equal angles.
 ConeTargets PolygonTargets(const Triangulation& t, const std::vector<Index>& corners) {
   ConeTargets targets = FreeBoundaryTargets(t);
-  for (const Index v : BoundaryVerticesInOrder(t)) targets.lower[v] = targets.upper[v] = kPi;
+  for (const Index v : BoundaryInOrder(t)) targets.lower[v] = targets.upper[v] = kPi;
   const double angle = kPi * (1 - 2 / static_cast<double>(corners.size()));
   for (const Index v : corners) targets.lower[v] = targets.upper[v] = angle;
   return targets;
@@ -143,7 +89,7 @@ std::pair<double, double> SnapToRectangle(const Triangulation& t, const std::vec
       std::max(std::abs(side(0) - side(2)) / width, std::abs(side(1) - side(3)) / height);
   const double modulus = width / height;
   for (Complex& p : z) p /= height;
-  std::vector<Index> loop = BoundaryVerticesInOrder(t);
+  std::vector<Index> loop = BoundaryInOrder(t);
   std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), corners[0]), loop.end());
   int on = -1;  // side
   for (const Index v : loop) {
@@ -171,6 +117,9 @@ PolygonSummary Summarize(const Surface& surface, const std::vector<Index>& corne
   return summary;
 }
 
+/// Mean of q + 1/q - 2, q the ratio of singular values, from which a map is as good as none.
+constexpr double kUseless = 100;
+
 /// The map for these corners; the certificate keeps what it holds of their choice.
 Status MapWithCorners(const Surface& surface, const MapRequest& request,
                       const std::vector<Index>& corners, const SolveControl& control,
@@ -181,6 +130,33 @@ Status MapWithCorners(const Surface& surface, const MapRequest& request,
   Status status = Parameterize(surface, straight, control, map);
   map->certificate.seconds.corners = choice_seconds;
   return status;
+}
+
+/// Boundary vertices spread out along the sides, then refined with the corners held; what a layout
+/// would have told of itself is not there.
+Status SpreadInstead(const Surface& surface, const MapRequest& request,
+                     const std::vector<Index>& corners, const SolveControl& control,
+                     SurfaceMap* map) {
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface disk = MeasureSurface(surface.triangulation, lengths);
+  const EdgeLengths flat = map->flat.on_input.lengths;
+  if (Status s = SpreadInPolygon(disk, flat, corners, &map->uv); !s.ok()) return s;
+  control.BeginStage("refinement");
+  map->cut.edge.assign(surface.triangulation.num_edges(), false);
+  PlanarLayout layout;
+  layout.uv = std::move(map->uv);
+  const std::vector<Index> no_cones;
+  const LaidOutSurface of = {disk, map->flat.on_input, map->cut, no_cones, control.cancelled};
+  Status status =
+      RefineLayout(of, PolygonTargets(surface.triangulation, corners), request.options.refine_map,
+                   &layout, &map->certificate.map_refinement);
+  map->uv = std::move(layout.uv);
+  map->certificate.layout.emplace().layout_closure = 0;
+  const auto& refinement = map->certificate.map_refinement;
+  const bool useless = refinement && !(refinement->map_refinement_after < kUseless);
+  if (!status.ok() || !useless) return status;
+  return Status(StatusCode::kUnrepresentable,
+                "doubles hold this surface in a polygon with nothing but useless triangles");
 }
 
 /// Puts the vertices where they are wanted; refuses a map that comes out flipped.
@@ -201,23 +177,38 @@ Status Deliver(const Triangulation& t, const std::vector<Complex>& place, Surfac
 /// Which polygons have sides to be put onto exactly.
 enum class Shape { kPolygon, kRectangle };
 
+/// Puts a map with these corners where its shape is.
+Status PutInPlace(const Surface& surface, const std::vector<Index>& corners, Shape shape,
+                  SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  std::vector<Complex> place = Places(t, map->uv);
+  Align(corners, &place);
+  std::optional<std::pair<double, double>> modulus_and_mismatch;
+  if (shape == Shape::kRectangle) modulus_and_mismatch = SnapToRectangle(t, corners, &place);
+  PolygonSummary summary = Summarize(surface, corners, place);
+  if (modulus_and_mismatch) {
+    std::tie(summary.conformal_modulus, summary.opposite_side_mismatch) = *modulus_and_mismatch;
+  }
+  map->certificate.polygon = std::move(summary);
+  return Deliver(t, place, map);
+}
+
 Status Map(const Surface& surface, const MapRequest& request, const SolveControl& control,
            Shape shape, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
   const auto corners = ChooseCorners(surface, request, control, &map->certificate);
   if (!corners.ok()) return corners.status();
-  if (Status s = MapWithCorners(surface, request, *corners, control, map); !s.ok()) return s;
-  std::vector<Complex> place = Places(t, map->uv);
-  Align(*corners, &place);
-  std::optional<std::pair<double, double>> modulus_and_mismatch;
-  if (shape == Shape::kRectangle) modulus_and_mismatch = SnapToRectangle(t, *corners, &place);
-  PolygonSummary summary = Summarize(surface, *corners, place);
-  if (modulus_and_mismatch) {
-    std::tie(summary.conformal_modulus, summary.opposite_side_mismatch) = *modulus_and_mismatch;
-  }
-  map->certificate.polygon = std::move(summary);
-  return Deliver(t, place, map);
+  Status status = MapWithCorners(surface, request, *corners, control, map);
+  if (status.ok()) status = PutInPlace(surface, *corners, shape, map);
+  const bool has_metric = map->flat.on_input.lengths.value.size() == t.num_edges();
+  const bool spreads = status.code() == StatusCode::kUnrepresentable && has_metric;
+  if (!spreads || !request.spread_boundary) return status;
+  status = SpreadInstead(surface, request, *corners, control, map);
+  if (status.ok()) status = PutInPlace(surface, *corners, shape, map);
+  if (!status.ok()) return status;
+  MeasureDistortion(t, MeasureEdgeLengths(surface), map->cut, map->uv, &map->certificate);
+  return status;
 }
 
 /// The request with so many corners, or what is wrong with those it names.

@@ -1,16 +1,30 @@
 #include <algorithm>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cirque/angles/angle_fit.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/domain.h"
+#include "cirque/domains/domain_ladder.h"
 #include "cirque/domains/extreme_scale.h"
+#include "cirque/domains/map_decimated.h"
+#include "cirque/domains/pins.h"
+#include "cirque/mesh/file_numbers.h"
+#include "cirque/pipeline/finish_layout.h"
+#include "cirque/pipeline/road_keeper.h"
 
 namespace cirque {
 namespace {
+
+constexpr char kWhyNoExact[] =
+    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane for an exact "
+    "map";
+constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -18,12 +32,24 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// What would else be ignored, or read beyond the surface's vertices.
 Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_vertices) {
-  for (const auto& [option, given] : {std::pair("targets", request.targets.has_value()),
-                                      std::pair("cut", request.cut.has_value())}) {
+  for (const auto& [option, given] :
+       {std::pair("targets", request.targets.has_value()),
+        std::pair("cut", request.cut.has_value()), std::pair("exact", request.options.exact),
+        std::pair("injective", request.options.injective),
+        std::pair("solve_at", request.options.solve_at > 0),
+        std::pair("pins", !request.shape.pins.empty())}) {
     if (!given || domain.Reads(option)) continue;
-    return Status::InvalidInput(fmt::format("the domain {} takes no {}", request.domain, option));
+    const bool exact = std::string_view(option) == "exact";
+    return Status::InvalidInput(fmt::format("the domain {} takes no {}{}", request.domain, option,
+                                            exact ? kWhyNoExact : ""));
   }
   if (Status s = ParameterizeOptionTable().Validate(request.options); !s.ok()) return s;
+  if (LeavesConformal(request.options.refine_map) && !domain.Reads("boundary")) {
+    return Status::InvalidInput(fmt::format(
+        "refine_map = {} changes lengths and areas by moving the boundary, which the domain {} "
+        "prescribes: take the plane, or another refine_map",
+        request.options.refine_map, request.domain));
+  }
   if (Status s = DomainOptionTable().Validate(request.shape); !s.ok()) return s;
   std::vector<Index> vertices = request.shape.corners;
   for (const Index v : {request.shape.centre, request.shape.angle_zero, request.shape.pole}) {
@@ -36,12 +62,22 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
   return Status();
 }
 
+/// On the surface itself or, where it is to be solved at fewer faces, from there.
+Status MapAsAsked(const Domain& domain, const Surface& surface, const MapRequest& request,
+                  const SolveControl& control, SurfaceMap* map) {
+  const Index most = request.options.solve_at;
+  if (most > 0 && surface.triangulation.num_faces() > most) {
+    return MapDecimated(surface, request, control, map);
+  }
+  return ClimbDomainLadder(domain, surface, request, control, map);
+}
+
 /// Maps where squares of lengths are numbers, and back.
 Status MapAtSafeScale(const Domain& domain, const Surface& surface, const MapRequest& request,
                       const SolveControl& control, SurfaceMap* map) {
   const int exponent = ExtremeExponent(surface);
-  if (exponent == 0) return domain.map(surface, request, control, map);
-  Status status = domain.map(Scaled(surface, -exponent), request, control, map);
+  if (exponent == 0) return MapAsAsked(domain, surface, request, control, map);
+  Status status = MapAsAsked(domain, Scaled(surface, -exponent), request, control, map);
   // The others' images have a size of their own.
   if (status.ok() && domain.Gives("flat")) ScaleMap(exponent, map);
   return status;
@@ -54,34 +90,57 @@ const Registry<Domain>& Domains() {
       "domain",
       {{"plane",
         {"the plane, opened along a cut through cones where it must be",
-         {"targets", "cut", "metric", "layout", "cones", "cone_budget", "cone_angles",
-          "refine_cones", "refine_map", "seams", "cut_cost", "edge_costs", "strict"},
+         {"targets",     "cut",         "metric",     "pattern",  "layout",       "cones",
+          "cone_budget", "cone_angles", "holonomy",   "boundary", "refine_cones", "refine_map",
+          "seams",       "cut_cost",    "edge_costs", "exact",    "exact_limit",  "strict",
+          "injective",   "pins",        "solve_at"},
          {"uv", "flat"},
          MapToPlane}},
        {"sphere",
         {"the unit sphere, for closed surfaces of genus 0",
-         {"pole", "normalization", "principal_axes", "inversion", "layout", "refine_map"},
+         {"pole", "normalization", "principal_axes", "inversion", "layout", "refine_map", "strict"},
          {"position"},
          MapToSphere}},
        {"disk",
-        {"the unit disk, for topological disks like all that follow",
-         {"centre", "angle_zero", "pole", "normalization", "refine_map"},
+        {"the unit disk, for topological disks like the five that follow",
+         {"centre", "angle_zero", "pole", "normalization", "refine_map", "strict"},
          {"uv"},
          MapToDisk}},
        {"half_plane",
         {"the upper half-plane, one boundary vertex belonging at infinity",
-         {"pole"},
+         {"pole", "refine_map", "strict"},
          {"uv"},
          MapToHalfPlane}},
        {"rectangle",
-        {"a rectangle of height 1", {"corners", "refine_map", "strict"}, {"uv"}, MapToRectangle}},
+        {"a rectangle of height 1",
+         {"corners", "pattern", "refine_map", "strict"},
+         {"uv"},
+         MapToRectangle}},
        {"polygon",
         {"a polygon of equal or given angles",
-         {"corners", "sides", "targets", "refine_map", "strict"},
+         {"corners", "sides", "targets", "pattern", "refine_map", "strict"},
          {"uv"},
          MapToPolygon}},
        {"triangle",
-        {"an equilateral triangle", {"corners", "refine_map", "strict"}, {"uv"}, MapToTriangle}}});
+        {"an equilateral triangle",
+         {"corners", "pattern", "refine_map", "strict"},
+         {"uv"},
+         MapToTriangle}},
+       {"annulus",
+        {"a round annulus of outer radius 1, for genus 0 with two boundary loops",
+         {"pattern", "refine_map", "strict"},
+         {"uv"},
+         MapToAnnulus}},
+       {"strip",
+        {"a strip of height 1 that is periodic along x, for the same surfaces",
+         {"pattern", "refine_map", "strict"},
+         {"uv"},
+         MapToStrip}},
+       {"torus",
+        {"the plane modulo the periods 1 and tau, for closed surfaces of genus 1",
+         {"pattern", "refine_map", "strict"},
+         {"uv"},
+         MapToTorus}}});
   return kTable;
 }
 
@@ -100,6 +159,37 @@ StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& reques
   return MapSurface(surface, request, control, failed, Domains());
 }
 
+namespace {
+
+/// What a proof that there is no map names is numbered as in the file already, from 0; its message
+/// names the surface that it was found on.
+std::string MessageInFile(const Surface& surface, const Status& status,
+                          const Certificate& certificate) {
+  if (certificate.infeasibility.empty()) return NumberedAsInFile(surface, status.message());
+  const std::string of_proof = InfeasibleMessage(certificate.infeasibility);
+  const bool is_proof =
+      status.message().substr(0, kProofBegins) == of_proof.substr(0, kProofBegins);
+  if (!is_proof) return NumberedAsInFile(surface, status.message());
+  const std::optional<LadderSummary>& ladder = certificate.ladder;
+  return NumberedFromOne(of_proof) + (ladder ? OtherRoads(*ladder) : "");
+}
+
+/// Before anything is solved.
+Status TakePins(const Surface& surface, const std::string& path, std::vector<Pin>* pins) {
+  if (path.empty()) return Status();
+  StatusOr<std::vector<Pin>> read = ReadPins(path, surface);
+  if (read.ok()) *pins = *std::move(read);
+  return read.status();
+}
+
+/// What is said of the roads that led to no map.
+void NumberAsInFile(const Surface& surface, LadderSummary* ladder) {
+  ladder->since = NumberedAsInFile(surface, ladder->since);
+  for (RungSummary& rung : ladder->tried) rung.message = NumberedAsInFile(surface, rung.message);
+}
+
+}  // namespace
+
 StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& request,
                                 const SolveControl& control, Certificate* failed,
                                 const Registry<Domain>& domains) {
@@ -108,9 +198,17 @@ StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& reques
   const StatusOr<Domain> domain = domains.Find(request.domain);
   Status status = domain.status();
   if (status.ok()) status = CheckRequest(*domain, request, surface.triangulation.num_vertices);
+  std::vector<Pin> pins;
+  if (status.ok()) status = TakePins(surface, request.shape.pins, &pins);
   if (status.ok()) status = MapAtSafeScale(*domain, surface, request, control, &map);
+  if (status.ok() && !pins.empty()) status = MoveToPins(surface, pins, &map);
+  InfeasibilityCertificate& proof = map.certificate.infeasibility;
+  if (!proof.empty() && !surface.soup_polygon.empty()) NameTriangles(surface, &proof);
   status = Conclude(status, timer, &map.certificate);
+  if (map.certificate.ladder) NumberAsInFile(surface, &*map.certificate.ladder);
   if (status.ok()) return map;
+  status = Status(status.code(), MessageInFile(surface, status, map.certificate));
+  map.certificate.message = status.message();
   if (failed) *failed = std::move(map.certificate);
   return status;
 }

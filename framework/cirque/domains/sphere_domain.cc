@@ -25,6 +25,8 @@ constexpr double kLeastLinkMargin = 1e-8;  ///< [rad]: as far down as FitAngles 
 /// Circles on one sphere that doubles tell from points have log radii over a range of 36; their
 /// stereographic images, where small ones may lie far out, over twice that.
 constexpr double kGreatestLogRadiusRange = 72;
+/// A prediction by the linear model that is so many times as much is never wrong about that.
+constexpr double kSurely = 3;
 
 Status CheckNormalization(const std::string& name) {
   const std::vector<std::string>& known = SphereNormalizations();
@@ -37,7 +39,7 @@ Status CheckSurface(const Surface& surface) {
   const std::size_t loops = BoundaryLoops(t).size();
   if (loops > 0) {
     return Status::InvalidInput(fmt::format(
-        "a map to the sphere needs a closed surface, but this has {} boundary loops; close them",
+        "a map to the sphere needs a closed surface, but this has boundary loops: {}; close them",
         loops));
   }
   const Index genus = 1 - EulerCharacteristic(t) / 2;
@@ -101,6 +103,7 @@ class SphereMapping {
     if (options_.pole == kNone) {
       poles = Timed(&seconds_.pole, [&] { return PoleCandidates(surface_, delaunay, kMaxPoles); });
     }
+    if (const Status s = CheckPrediction(delaunay, poles); !s.ok()) return s;
     Status status = Status::InvalidInput("no vertex is the centre of a disk of triangles");
     for (std::size_t i = 0; i < poles.size(); ++i) {
       summary_.pole_attempts = static_cast<int>(i + 1);
@@ -116,6 +119,15 @@ class SphereMapping {
  private:
   IntrinsicTriangulation Delaunay(const std::vector<bool>& locked) const {
     return MakeIntrinsicDelaunay(t_, lengths_, {nullptr, locked});
+  }
+
+  /// What no solve need find out: limbs too long for doubles.
+  Status CheckPrediction(const IntrinsicTriangulation& delaunay, const std::vector<Index>& poles) {
+    if (poles.empty()) return Status();
+    log_radius_range_ = PredictedLogRange(delaunay, poles.front());
+    if (log_radius_range_ > kSurely * kGreatestLogRadiusRange) return BeyondDoubles();
+    log_radius_range_ = 0;
+    return Status();
   }
 
   Status TryPole(Index pole, const IntrinsicTriangulation& delaunay) {
@@ -194,6 +206,7 @@ class SphereMapping {
 
   Status LayOut(const PuncturedSurface& punctured, const InputChart& flat) {
     const Triangulation& t = punctured.triangulation;
+    control_.BeginStage("layout");
     const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
     if (!laid_out.ok()) return laid_out.status();
     const PlanarLayout& layout = *laid_out;
@@ -212,6 +225,7 @@ class SphereMapping {
   /// Of a map that is good already; where the refined one is not, it stays.
   Status RefineThenNormalize(PlaneWithPole plane) {
     const PlaneWithPole before = plane;
+    control_.BeginStage("refinement");
     Status status = RefineOnSphere(t_, lengths_, chart_, in_plane_.refine_map, control_.cancelled,
                                    &plane, &map_.certificate.map_refinement);
     if (!status.ok()) return status;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cirque/cones/cone_problem.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/farthest_vertices.h"
 #include "cirque/metrics/injectivity.h"
@@ -86,6 +87,15 @@ std::vector<Index> PoleCandidates(const Surface& surface, const IntrinsicTriangu
                    [&](Index a, Index b) { return cost[a] < cost[b]; });
   return FarthestVertices(intrinsic.triangulation, intrinsic.lengths, candidates,
                           std::min(count, static_cast<Index>(candidates.size())));
+}
+
+double PredictedLogRange(const IntrinsicTriangulation& intrinsic, Index pole) {
+  const ConeProblem problem(intrinsic.triangulation, intrinsic.lengths);
+  Eigen::VectorXd curvature = -problem.curvature();
+  curvature[pole] += 4 * kPi;
+  Eigen::VectorXd u = problem.Solve(curvature);
+  u[pole] = u[pole == 0 ? 1 : 0];
+  return u.maxCoeff() - u.minCoeff();
 }
 
 EdgeLengths InvertedLengths(const Surface& surface, const Triangulation& closed,

@@ -27,6 +27,12 @@ namespace cirque {
 std::vector<Index> PoleCandidates(const Surface& surface, const IntrinsicTriangulation& intrinsic,
                                   Index count);
 
+/// By what power of e the log radii of a map with this pole would range, as the linear model predicts:
+/// the range of u, away from the pole, with
+///   L u = 4 pi delta_pole - K,
+/// L the cotangent Laplacian and K the curvatures (ConeProblem).
+double PredictedLogRange(const IntrinsicTriangulation& intrinsic, Index pole);
+
 /// The edge lengths of the punctured triangulation after the inversion of space about the pole:
 /// length_ij / (|x_i - p| |x_j - p|), in units of 1/diameter. For a mesh with its vertices on a
 /// sphere these are the lengths of its stereographic projection. `lengths` are of the closed

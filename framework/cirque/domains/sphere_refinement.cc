@@ -1,5 +1,6 @@
 #include "cirque/domains/sphere_refinement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -70,7 +71,7 @@ class SphereMapRefiner {
       uv.value.emplace_back(place[cap.vertex[v]].real(), place[cap.vertex[v]].imag());
     }
     if (!FlippedFaces(cap.triangulation, uv).empty()) return Status();
-    Status status = RefineHeldMap(surface, held, refine_map, cancelled, &uv, summary);
+    Status status = RefineHeldMap(surface, {held}, refine_map, cancelled, &uv, summary);
     if (!status.ok()) return status;
     for (Index h = 0; h < cap.triangulation.num_halfedges(); ++h) {
       const Index v = cap.triangulation.vertex[h];
@@ -123,6 +124,10 @@ double MeanEnergy(const Triangulation& t, const EdgeLengths& lengths, const Sphe
 void Add(const std::optional<MapRefinementSummary>& cap, MapRefinementSummary* both) {
   if (!cap) return;
   both->map_refinement_steps += cap->map_refinement_steps;
+  if (cap->map_refinement_at_rest) {
+    both->map_refinement_at_rest =
+        std::min(both->map_refinement_at_rest.value_or(1), *cap->map_refinement_at_rest);
+  }
   for (const auto member :
        {&MapRefinementSummary::map_refinement_flagged,
         &MapRefinementSummary::map_refinement_patches, &MapRefinementSummary::map_refinement_rounds,

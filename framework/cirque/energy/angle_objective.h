@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "cirque/core/registry.h"
@@ -17,6 +18,13 @@ struct EdgeConjugate {
   double value = 0;
   double alpha_l = 0, alpha_r = 0;      ///< [rad]
   double h_ll = 0, h_lr = 0, h_rr = 0;  ///< d alpha / d s
+};
+
+/// What an edge's conjugate is asked at: raw references and slopes of its corners, left and right. Of
+/// a boundary edge the left ones alone mean anything.
+struct EdgeSlopes {
+  double ref_l = 0, ref_r = 0, s_l = 0, s_r = 0;
+  bool is_boundary = false;
 };
 
 /// The margins of an edge's set Q_e = {alpha_l >= l, alpha_r >= r, alpha_l + alpha_r <= pi - theta}
@@ -61,6 +69,16 @@ class AngleObjective {
                                           double s_r) const = 0;
   virtual EdgeConjugate BoundaryConjugate(double ref, double epsilon, double s) const = 0;
 
+  /// Whether it is to be asked by the two that follow, once for all corners or edges: where a call is
+  /// dear, as of an objective in another language.
+  virtual bool TakesArrays() const { return false; }
+
+  /// Distance and the conjugates of arrays of the same length.
+  virtual void Distances(std::span<const double> references, std::span<const double> x,
+                         std::span<ScalarJet> jets) const;
+  virtual void Conjugates(std::span<const EdgeSlopes> edges, double epsilon,
+                          std::span<EdgeConjugate> conjugates) const;
+
   /// phi of an interior edge's two angles, of a boundary edge's one, for raw references.
   double Interior(double ref_l, double ref_r, double epsilon, double alpha_l, double alpha_r) const;
   double Boundary(double ref, double epsilon, double alpha) const;
@@ -72,6 +90,7 @@ const Registry<std::shared_ptr<const AngleObjective>>& AngleObjectives();
 /// Of Margins [rad].
 inline constexpr double kLeastCornerMargin = 1e-8;
 
+/// What the class says of them, inlined: an angle fit calls these for every edge.
 inline EdgeMargins AngleObjective::Margins(double ref_l, double ref_r, double epsilon) const {
   constexpr double kShare = 0.5;
   const double largest = Margin(epsilon);
@@ -82,10 +101,12 @@ inline EdgeMargins AngleObjective::Margins(double ref_l, double ref_r, double ep
   return {of_corner(ref_l), of_corner(ref_r), largest};
 }
 
+/// Likewise, of a boundary edge.
 inline EdgeMargins AngleObjective::Margins(double ref, double epsilon) const {
   return Margins(ref, 0, epsilon);
 }
 
+/// Likewise: the distance at an interior edge.
 inline double AngleObjective::Interior(double ref_l, double ref_r, double epsilon, double alpha_l,
                                        double alpha_r) const {
   const auto distance = [&](double ref, double x) {
@@ -96,6 +117,7 @@ inline double AngleObjective::Interior(double ref_l, double ref_r, double epsilo
                          : corners;
 }
 
+/// Likewise: the distance at a boundary edge.
 inline double AngleObjective::Boundary(double ref, double epsilon, double alpha) const {
   const auto distance = [&](double r, double x) {
     return Distance(ClampReference(r, epsilon), x).value;

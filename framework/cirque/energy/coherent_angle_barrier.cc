@@ -5,7 +5,7 @@
 
 #include <ceres/sized_cost_function.h>
 
-#include "cirque/energy/angle_objectives.h"
+#include "cirque/energy/barrier_objective.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/compensated_sum.h"
 

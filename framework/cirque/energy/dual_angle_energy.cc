@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "cirque/core/parallel.h"
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
 
@@ -30,11 +32,28 @@ EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
                                        constraints_.Slope(y, r));
 }
 
+template <class Visit>
+double DualAngleEnergy::SumConjugates(const double* y, const Visit& visit) const {
+  const Triangulation& t = constraints_.triangulation();
+  if (!objective_->TakesArrays()) {
+    return ParallelSum(t.num_edges(), [&](Index e) { return visit(e, Conjugate(e, y)); });
+  }
+  std::vector<EdgeSlopes> edges(t.num_edges());
+  ParallelFor(t.num_edges(), [&](Index e) {
+    const Index l = t.edge_halfedge[e], r = t.twin[l];
+    const bool is_boundary = r == kNone;
+    edges[e] = {reference_[l], is_boundary ? 0 : reference_[r], constraints_.Slope(y, l),
+                is_boundary ? 0 : constraints_.Slope(y, r), is_boundary};
+  });
+  std::vector<EdgeConjugate> conjugates(edges.size());
+  objective_->Conjugates(edges, epsilon_, conjugates);
+  return ParallelSum(t.num_edges(), [&](Index e) { return visit(e, conjugates[e]); });
+}
+
 Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {
   const Triangulation& t = constraints_.triangulation();
   Eigen::VectorXd alpha(t.num_halfedges());
-  *sum = ParallelSum(t.num_edges(), [&](Index e) {
-    const EdgeConjugate g = Conjugate(e, y);
+  *sum = SumConjugates(y, [&](Index e, const EdgeConjugate& g) {
     const Index l = t.edge_halfedge[e];
     alpha[l] = g.alpha_l;
     if (t.twin[l] != kNone) alpha[t.twin[l]] = g.alpha_r;
@@ -65,14 +84,14 @@ bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
   if (!AllFinite(y)) return false;
   const Triangulation& t = constraints_.triangulation();
   EdgeBlockAssembler matrix(constraints_);
-  ParallelFor(t.num_edges(), [&](Index e) {
-    const EdgeConjugate g = Conjugate(e, y);
+  SumConjugates(y, [&](Index e, const EdgeConjugate& g) {
     const Index l = t.edge_halfedge[e], r = t.twin[l];
     matrix.Add(l, l, g.h_ll);
-    if (r == kNone) return;
+    if (r == kNone) return 0.;
     matrix.Add(r, r, g.h_rr);
     matrix.Add(l, r, g.h_lr);
     matrix.Add(r, l, g.h_lr);
+    return 0.;
   });
   matrix.Assemble(lower);
   return true;
@@ -80,10 +99,11 @@ bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
 
 bool DualAngleEnergy::SmoothHessian(const double*, SparseMatrix* lower) const {
   EdgeBlockAssembler matrix(constraints_);
-  ParallelFor(constraints_.triangulation().num_halfedges(), [&](Index h) {
-    const double reference = objective_->ClampReference(reference_[h], epsilon_);
-    matrix.Add(h, h, 1 / objective_->Distance(reference, reference).curvature);
-  });
+  const std::vector<double> references = ClampedReferences();
+  std::vector<ScalarJet> jets(references.size());
+  objective_->Distances(references, references, jets);
+  ParallelFor(static_cast<int>(jets.size()),
+              [&](Index h) { matrix.Add(h, h, 1 / jets[h].curvature); });
   matrix.Assemble(lower);
   return true;
 }
@@ -108,8 +128,22 @@ Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {
   return Maximise(y, &sum);
 }
 
+std::vector<double> DualAngleEnergy::ClampedReferences() const {
+  std::vector<double> references(reference_.size());
+  ParallelFor(static_cast<int>(references.size()), [&](Index h) {
+    references[h] = objective_->ClampReference(reference_[h], epsilon_);
+  });
+  return references;
+}
+
 double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha) const {
   const Triangulation& t = constraints_.triangulation();
+  if (objective_->TakesArrays()) {
+    const std::vector<double> references = ClampedReferences();
+    std::vector<ScalarJet> jets(references.size());
+    objective_->Distances(references, {alpha.data(), references.size()}, jets);
+    return ParallelSum(static_cast<int>(jets.size()), [&](Index h) { return jets[h].value; });
+  }
   return ParallelSum(t.num_edges(), [&](Index e) {
     const Index l = t.edge_halfedge[e], r = t.twin[l];
     return r == kNone

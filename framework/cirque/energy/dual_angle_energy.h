@@ -47,6 +47,10 @@ class DualAngleEnergy final : public Energy {
  private:
   EdgeConjugate Conjugate(Index e, const double* y) const;
 
+  /// Calls visit(e, conjugate) for every edge, in parallel, and adds up what it returns.
+  template <class Visit>
+  double SumConjugates(const double* y, const Visit& visit) const;
+
   /// Whether that row adds up the angle at corner h.
   bool IsInRow(Index h, int row) const;
 
@@ -59,6 +63,9 @@ class DualAngleEnergy final : public Energy {
           corner_of_row_[row - constraints_.num_faces()], visit);
     }
   }
+
+  /// Of every corner as the objective takes it.
+  std::vector<double> ClampedReferences() const;
 
   /// alpha(y) and sum_e g_e.
   Eigen::VectorXd Maximise(const double* y, double* sum) const;

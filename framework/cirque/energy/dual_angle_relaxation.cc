@@ -104,7 +104,7 @@ class DualAngleEnergy::RowMove {
 };
 
 bool DualAngleEnergy::Relax(double share, double* y, double* gradient) const {
-  if (constraints_.HasRanges()) return false;
+  if (constraints_.HasRanges() || objective_->TakesArrays()) return false;
   Eigen::Map<Eigen::VectorXd> of_row(gradient, NumParameters());
   RowMove move(*this, y);
   return RelaxParameters(share, of_row, [&](int row, const auto& change) {

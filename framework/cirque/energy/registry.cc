@@ -2,11 +2,14 @@
 
 #include <string>
 
-#include "cirque/energy/angle_objectives.h"
+#include "cirque/energy/barrier_objective.h"
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/energy/coherent_angle_barrier.h"
+#include "cirque/energy/conformal_equivalence_energy.h"
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/energy/entropy_objective.h"
 #include "cirque/energy/lorentz_energy.h"
+#include "cirque/energy/quadratic_objective.h"
 
 namespace cirque {
 namespace {
@@ -22,6 +25,17 @@ std::unique_ptr<Energy> MakeCoherentAngleBarrier(const EnergyInput& input) {
 
 std::unique_ptr<Energy> MakeLorentz(const EnergyInput& input) {
   return std::make_unique<LorentzEnergy>(input.points, input.weights);
+}
+
+using EquivalenceFlips = ConformalEquivalenceEnergy::Flips;
+
+/// With Ptolemy flips or on the triangulation as it is.
+EnergyFactory ConformalEquivalence(EquivalenceFlips flips) {
+  return [flips](const EnergyInput& input) -> std::unique_ptr<Energy> {
+    return std::make_unique<ConformalEquivalenceEnergy>(input.triangulation,
+                                                        input.lengths.value.array().log(),
+                                                        TargetsOfScales(input.targets), flips);
+  };
 }
 
 /// The dual of the angle fit with that objective.
@@ -54,6 +68,8 @@ const Registry<EnergyFactory>& Energies() {
       "energy", {
                     {"circle_pattern", MakeCirclePattern},
                     {"coherent_angle_barrier", MakeCoherentAngleBarrier},
+                    {"conformal_equivalence", ConformalEquivalence(EquivalenceFlips::kPtolemy)},
+                    {"conformal_equivalence_fixed", ConformalEquivalence(EquivalenceFlips::kNever)},
                     {"lorentz", MakeLorentz},
                     {"quadratic_dual", DualOf("quadratic")},
                     {"weighted_quadratic_dual", DualOf("weighted_quadratic")},

@@ -20,6 +20,7 @@ struct EnergyInput {
       {};  ///< measured angles: of the angle fits' dual energies and of the barrier
   CoherentAngles coherent = {};  ///< of the circle-pattern energy
   ConeTargets targets = {};
+  EdgeLengths lengths = {};                  ///< of the conformal-equivalence energies
   double epsilon = 1e-3;                     ///< margin of the angle fits [rad]
   std::vector<Eigen::Vector3d> points = {};  ///< unit vectors: of the Lorentz energy
   std::vector<double> weights = {};          ///< one per point

@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 namespace {
@@ -67,6 +68,15 @@ std::vector<double> VertexAngleSums(const Triangulation& t, const CornerAngles& 
 
 IntrinsicSurface MeasureSurface(const Triangulation& t, const EdgeLengths& lengths) {
   return {t, lengths, MeasureCornerAngles(t, lengths), BoundaryVertices(t), CornersPerVertex(t)};
+}
+
+double SurfaceArea(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
+  const Eigen::VectorXd& length = surface.lengths.value;
+  return ParallelSum(t.num_faces(), [&](Index f) {
+    return 0.5 * length[t.edge[3 * f]] * length[t.edge[3 * f + 1]] *
+           std::sin(surface.angles.value[3 * f + 2]);
+  });
 }
 
 }  // namespace cirque

@@ -29,4 +29,7 @@ struct IntrinsicSurface {
 /// Measures it: corner angles by the law of cosines [rad], boundary and corners from the gluing.
 IntrinsicSurface MeasureSurface(const Triangulation& triangulation, const EdgeLengths& lengths);
 
+/// The area of its triangles.
+double SurfaceArea(const IntrinsicSurface& surface);
+
 }  // namespace cirque

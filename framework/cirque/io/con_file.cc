@@ -15,6 +15,7 @@
 #include "cirque/io/con_gluing.h"
 #include "cirque/io/file_input.h"
 #include "cirque/io/text_writer.h"
+#include "cirque/io/unpack.h"
 
 namespace cirque {
 namespace {
@@ -88,6 +89,8 @@ class ConParser {
     }
     SkipKeyword();
     if (Status s = ParseVertices(); !s.ok()) return s;
+    // The thesis has the lengths on a line of their own.
+    if (scanner_.AtLineEnd()) scanner_.NextLine();
     if (Status s = ParseLengths(); !s.ok()) return s;
     if (f == 0) with_neighbours_ = !scanner_.AtLineEnd();
     if (with_neighbours_) {
@@ -155,20 +158,23 @@ class ConParser {
 
 }  // namespace
 
-std::string FormatCon(const Triangulation& t, const EdgeLengths& lengths) {
+std::string FormatCon(const Triangulation& t, const EdgeLengths& lengths, ConForm form) {
   CHECK_EQ(lengths.value.size(), t.num_edges());
+  const bool is_thesis = form == ConForm::kThesis;
   TextWriter out;
-  out.Text(kLegend);
+  if (!is_thesis) out.Text(kLegend);
   out.Text(fmt::format("{} {}\n", t.num_vertices, t.num_faces()));
-  const auto put = [&](auto value) {
-    out.Text(" ");
+  const auto put = [&](std::string_view before, auto value) {
+    out.Text(before);
     out.Number(value);
   };
   for (Index f = 0; f < t.num_faces(); ++f) {
-    out.Text("f");
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) put(t.vertex[h] + 1);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) put(lengths.value[t.edge[h]]);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) put(t.twin[h] + 1);
+    const Index h = 3 * f;
+    put(is_thesis ? "" : "f ", t.vertex[h] + 1);
+    for (const Index i : {h + 1, h + 2}) put(" ", t.vertex[i] + 1);
+    put(is_thesis ? "\n" : " ", lengths.value[t.edge[h]]);
+    for (const Index i : {h + 1, h + 2}) put(" ", lengths.value[t.edge[i]]);
+    for (Index k = 0; k < 3 && !is_thesis; ++k) put(" ", t.twin[h + k] + 1);
     out.Text("\n");
   }
   return std::move(out).Take();
@@ -190,12 +196,14 @@ StatusOr<ConMesh> ParseCon(const std::string& path, std::string_view content) {
 }
 
 StatusOr<ConMesh> ReadCon(const std::string& path) {
-  const StatusOr<std::string> content = ReadFileContent(path);
+  std::vector<std::string> warnings;  // of packing: it holds what is read, or is refused
+  const StatusOr<std::string> content = ReadUnpacked(path, &warnings);
   if (!content.ok()) return content.status();
   return ParseCon(path, *content);
 }
 
-Status WriteCon(const std::string& path, const Triangulation& t, const EdgeLengths& lengths) {
+Status WriteCon(const std::string& path, const Triangulation& t, const EdgeLengths& lengths,
+                ConForm form) {
   for (Index e = 0; e < t.num_edges(); ++e) {
     if (!(lengths.value[e] > 0) || !std::isfinite(lengths.value[e])) {
       return Status::InvalidInput(
@@ -203,7 +211,17 @@ Status WriteCon(const std::string& path, const Triangulation& t, const EdgeLengt
                       lengths.value[e]));
     }
   }
-  return WriteFileAtomically(path, FormatCon(t, lengths));
+  const std::string content = FormatCon(t, lengths, form);
+  if (form == ConForm::kThesis) {
+    const StatusOr<ConMesh> again = ParseCon(path, content);
+    if (!again.ok() || again->triangulation.twin != t.twin) {
+      return Status::InvalidInput(
+          path +
+          ": the thesis's form cannot tell several edges between the same vertices apart; "
+          "write the form with neighbours");
+    }
+  }
+  return WriteFileAtomically(path, content);
 }
 
 }  // namespace cirque

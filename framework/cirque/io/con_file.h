@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
+#include "cirque/core/enum_words.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
@@ -22,18 +24,29 @@ namespace cirque {
 /// Sides are numbered 1, 2, ..., 3 F in the order of the faces, so side k of the i-th face has
 /// number 3 (i - 1) + k + 1. Two faces can share several sides, so their numbers would not do.
 ///
-/// L. Kharevych's thesis has the numbers of vertices and faces and, for each face, three vertices
-/// and three lengths, in an order that it does not define. Reading therefore takes lines without
-/// `f`, and files whose lines all end after l2: sides are then glued where exactly two run between
-/// the same two vertices, in opposite directions.
+/// L. Kharevych's thesis has the numbers of vertices and faces and, for each face, a line of three
+/// vertices and one of three lengths, in an order that it does not define and that is taken to be
+/// this one. Reading takes lines without `f`, files whose lines all end after l2, and lengths on the
+/// next line: sides are then glued where exactly two run between the same two vertices, in opposite
+/// directions.
 struct ConMesh {
   Triangulation triangulation;
   EdgeLengths lengths;
 };
 
+/// How a CON file is written.
+enum class ConForm {
+  kNeighbours,  ///< as above: any gluing
+  kThesis,  ///< as the thesis has it: no legend, no `f`, no neighbours, lengths on their own line
+};
+template <>
+inline constexpr auto kEnumWords<ConForm> = std::to_array<EnumWord<ConForm>>(
+    {{ConForm::kNeighbours, "neighbours"}, {ConForm::kThesis, "thesis"}});
+
 /// The metric as CON: lengths in the fewest digits that read back to the same bits, halfedge
 /// numbering kept.
-std::string FormatCon(const Triangulation& triangulation, const EdgeLengths& lengths);
+std::string FormatCon(const Triangulation& triangulation, const EdgeLengths& lengths,
+                      ConForm form = ConForm::kNeighbours);
 
 /// Parses CON. Errors are "path:line: ..." and say what to do: a malformed or missing line, a
 /// vertex or side that does not exist, a length that is not positive and finite, lengths that no
@@ -42,9 +55,10 @@ std::string FormatCon(const Triangulation& triangulation, const EdgeLengths& len
 /// surface.
 StatusOr<ConMesh> ParseCon(const std::string& path, std::string_view content);
 
-/// The same from and to a file, which is written whole or not at all.
+/// The same from and to a file, which may be packed by gzip and is written whole or not at all. A
+/// gluing that kThesis cannot tell (several edges between the same vertices) is refused.
 StatusOr<ConMesh> ReadCon(const std::string& path);
 Status WriteCon(const std::string& path, const Triangulation& triangulation,
-                const EdgeLengths& lengths);
+                const EdgeLengths& lengths, ConForm form = ConForm::kNeighbours);
 
 }  // namespace cirque

@@ -84,13 +84,16 @@ double MicrosoftValue(std::string_view word) {
 
 }  // namespace
 
-TextScanner::TextScanner(std::string path, std::string_view text, Continuation continuation)
+TextScanner::TextScanner(std::string path, std::string_view text, Continuation continuation,
+                         Mark mark)
     : path_(std::move(path)),
       position_(text.data()),
       end_(text.data() + text.size()),
       continuation_(continuation) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) position_ += kByteOrderMark.size();
+  if (mark == Mark::kIsSkipped && text.starts_with(kByteOrderMark)) {
+    position_ += kByteOrderMark.size();
+  }
 }
 
 bool TextScanner::AtNewline(const char* c) const {
@@ -204,6 +207,7 @@ std::string TextScanner::Place() const { return fmt::format("{}:{}", path_, line
 
 std::string_view TextScanner::BytesAfterLine() {
   SkipLine();
+  started_ = false;
   return Rest();
 }
 

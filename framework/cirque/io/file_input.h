@@ -37,10 +37,13 @@ T ReadBytes(std::string_view bytes, ByteOrder order) {
 class TextScanner {
  public:
   enum class Continuation { kNever, kBackslash };
+  /// What a byte order mark (of UTF-8) at the beginning of the text is: a file begins with one that
+  /// says nothing, a stretch from the middle of a file with one that belongs to a word.
+  enum class Mark { kIsSkipped, kIsText };
 
   /// With kBackslash a backslash at the end of a line joins the next line to it (OBJ).
   TextScanner(std::string path, std::string_view text,
-              Continuation continuation = Continuation::kNever);
+              Continuation continuation = Continuation::kNever, Mark mark = Mark::kIsSkipped);
 
   /// Leaves the rest of the current line and goes to the next one that holds a word. False at the
   /// end of the text.
@@ -72,7 +75,8 @@ class TextScanner {
   std::string Place() const;
 
   int line() const { return line_; }
-  /// What follows the current line, as raw bytes (the body of a binary PLY file).
+  /// What follows the current line, as raw bytes (the body of a binary PLY file); NextLine goes on
+  /// there.
   std::string_view BytesAfterLine();
 
  private:

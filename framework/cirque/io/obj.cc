@@ -1,5 +1,6 @@
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,8 +15,12 @@ namespace {
 /// A file may use a vertex before it gives it, so indices beyond what was read so far are judged at
 /// the end. The first and largest such index, and the line of it.
 struct LatestReference {
-  std::int64_t index = 0;
+  std::int64_t index = -1;  ///< counted from 0
   int line = 0;
+
+  void Take(std::int64_t new_index, int new_line) {
+    if (new_index > index) *this = {new_index, new_line};
+  }
 };
 
 class ObjParser {
@@ -28,9 +33,12 @@ class ObjParser {
       const Status status = ParseLine();
       if (!status.ok()) return status;
     }
-    const Status status = JudgeLatestReferences();
+    const Status status = JudgeLatestVertex();
     if (!status.ok()) return status;
-    if (soup_.texture.empty()) soup_.corner_texture.clear();
+    DropMissingTexture();
+    for (const PassedOver& kind : {few_corners_, no_such_texture_, empty_texture_}) {
+      kind.Warn(&soup_);
+    }
     return std::move(soup_);
   }
 
@@ -56,6 +64,12 @@ class ObjParser {
   }
 
   Status ParseTexture() {
+    if (scanner_.AtLineEnd()) {
+      empty_texture_.At(scanner_);
+      has_empty_texture_ = true;
+      soup_.texture.emplace_back(0, 0);  // what follows keeps its number
+      return Status();
+    }
     const std::optional<double> u = scanner_.Number();
     const std::optional<double> v = u && scanner_.AtLineEnd() ? 0.0 : scanner_.Number();
     if (!u || !v) return scanner_.Expected("texture coordinates, 'vt u v'");
@@ -68,10 +82,12 @@ class ObjParser {
       const Status status = ParseCorner(scanner_.Word());
       if (!status.ok()) return status;
     }
-    const std::size_t corners = soup_.corner.size() - soup_.first_corner.back();
-    if (corners < 3) {
-      return scanner_.Error(fmt::format(
-          "a face needs at least 3 corners, this one has {}; complete or remove it", corners));
+    const auto first = static_cast<std::size_t>(soup_.first_corner.back());
+    if (soup_.corner.size() < first + 3) {
+      few_corners_.At(scanner_);
+      soup_.corner.resize(first);
+      soup_.corner_texture.resize(first);
+      return Status();
     }
     soup_.first_corner.push_back(static_cast<Index>(soup_.corner.size()));
     return Status();
@@ -101,49 +117,76 @@ class ObjParser {
   }
 
   Status AddCorner(std::int64_t vertex, bool has_texture, std::int64_t texture) {
-    Status status = Resolve("vertex", soup_.position.size(), &latest_vertex_, &vertex);
-    if (status.ok() && has_texture) {
-      status = Resolve("texture coordinate", soup_.texture.size(), &latest_texture_, &texture);
-    }
+    const Status status = ResolveVertex(&vertex);
     soup_.corner.push_back(static_cast<Index>(vertex));
-    soup_.corner_texture.push_back(has_texture ? static_cast<Index>(texture) : kNone);
+    soup_.corner_texture.push_back(has_texture ? ResolveTexture(texture) : kNone);
     return status;
   }
 
   /// Turns the file's index into one that counts from 0.
-  Status Resolve(const char* kind, std::size_t count, LatestReference* latest,
-                 std::int64_t* index) {
-    const std::int64_t known = static_cast<std::int64_t>(count);
+  Status ResolveVertex(std::int64_t* index) {
+    const auto known = static_cast<std::int64_t>(soup_.position.size());
     if (*index == 0) {
-      return scanner_.Error(fmt::format("{} index 0; OBJ counts from 1 (or back from -1)", kind));
+      return scanner_.Error("vertex index 0; OBJ counts from 1 (or back from -1)");
     }
     if (*index < -known) {
       return scanner_.Error(fmt::format(
-          "{} index {} goes back beyond the first of the {} before it", kind, *index, known));
+          "vertex index {} goes back beyond the first of the {} before it", *index, known));
     }
     *index = *index > 0 ? *index - 1 : known + *index;
-    if (*index >= known && *index + 1 > latest->index) *latest = {*index + 1, scanner_.line()};
+    if (*index >= known) latest_vertex_.Take(*index, scanner_.line());
     return Status();
   }
 
-  Status JudgeLatestReferences() const {
-    const Status status = JudgeLatest("vertex", latest_vertex_, soup_.position.size());
-    return status.ok() ? JudgeLatest("texture coordinate", latest_texture_, soup_.texture.size())
-                       : status;
+  /// The same; kNone where there is no such texture coordinate.
+  Index ResolveTexture(std::int64_t index) {
+    const auto known = static_cast<std::int64_t>(soup_.texture.size());
+    if (index == 0 || index < -known || index > std::numeric_limits<Index>::max()) {
+      no_such_texture_.At(scanner_);
+      return kNone;
+    }
+    index = index > 0 ? index - 1 : known + index;
+    if (index >= known) latest_texture_.Take(index, scanner_.line());
+    return static_cast<Index>(index);
   }
 
-  Status JudgeLatest(const char* kind, const LatestReference& latest, std::size_t count) const {
-    if (latest.index <= static_cast<std::int64_t>(count)) return Status();
+  Status JudgeLatestVertex() const {
+    const std::size_t count = soup_.position.size();
+    if (latest_vertex_.index < static_cast<std::int64_t>(count)) return Status();
     return Status::InvalidInput(
-        fmt::format("{}:{}: {} index {}, but the file has only {}; correct the index or check "
-                    "that the file is complete",
-                    path_, latest.line, kind, latest.index, count));
+        fmt::format("{}; correct the index or check that the file is complete",
+                    Missing("vertex", latest_vertex_, count)));
+  }
+
+  std::string Missing(const char* kind, const LatestReference& latest, std::size_t count) const {
+    return fmt::format("{}:{}: {} index {}, but the file has only {}", path_, latest.line, kind,
+                       latest.index + 1, count);
+  }
+
+  /// Many programs write indices of texture that they do not write.
+  void DropMissingTexture() {
+    const std::size_t count = soup_.texture.size();
+    if (latest_texture_.index >= static_cast<std::int64_t>(count)) {
+      soup_.warnings.push_back(Missing("texture coordinate", latest_texture_, count) +
+                               "; such corners have none");
+      for (Index& texture : soup_.corner_texture) {
+        if (texture != kNone && static_cast<std::size_t>(texture) >= count) texture = kNone;
+      }
+    }
+    if (has_empty_texture_) soup_.texture.clear();
+    if (soup_.texture.empty()) soup_.corner_texture.clear();
   }
 
   const std::string& path_;
   TextScanner scanner_;
   PolygonSoup soup_;
   LatestReference latest_vertex_, latest_texture_;
+  bool has_empty_texture_ = false;
+  PassedOver few_corners_{kTooFewCorners};
+  PassedOver no_such_texture_{
+      "there is no such texture coordinate (OBJ counts from 1): the corner has none"};
+  PassedOver empty_texture_{
+      "'vt' without numbers: all texture coordinates of the file are ignored"};
 };
 
 }  // namespace
@@ -172,11 +215,18 @@ void WriteCorner(const PolygonSoup& mesh, Index corner, TextWriter* out) {
 
 }  // namespace
 
-TextPieces FormatObj(const PolygonSoup& mesh) {
+TextPieces FormatObj(const PolygonSoup& mesh) { return FormatObjInGroups(mesh, {}); }
+
+TextPieces FormatObjInGroups(const PolygonSoup& mesh, const std::vector<Index>& group) {
   TextWriter out;
   WritePoints("v ", mesh.position, &out);
   WritePoints("vt ", mesh.texture, &out);
   out.Lines(mesh.num_polygons(), [&](int p, TextWriter* line) {
+    if (!group.empty() && (p == 0 || group[p] != group[p - 1])) {
+      line->Text("g face_");
+      line->Number(group[p] + 1);
+      line->Text("\n");
+    }
     line->Text("f");
     for (Index c = mesh.first_corner[p]; c < mesh.first_corner[p + 1]; ++c) {
       WriteCorner(mesh, c, line);

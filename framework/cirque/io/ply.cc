@@ -16,6 +16,7 @@ namespace {
 
 /// The largest length or index that any mesh can have; doubles hold it exactly.
 constexpr double kLargest = 4294967295.0;
+constexpr std::int64_t kUnsignedMinusOne = 4294967295;
 
 /// Reads one element at a time into the numbers of the properties that a mesh needs.
 class PlyParser {
@@ -36,9 +37,9 @@ class PlyParser {
       }
     }
     if (!status.ok()) return status;
-    if (header_.encoding == PlyEncoding::kText && body_->NextElement()) {
-      return body_->Error("more lines follow than the header promises; correct the header");
-    }
+    if (header_.encoding == PlyEncoding::kText && body_->NextElement()) more_.At(*body_);
+    soup_.warnings = header_.warnings;
+    for (const PassedOver& kind : {few_corners_, more_}) kind.Warn(&soup_);
     KeepTexture();
     return std::move(soup_);
   }
@@ -57,8 +58,9 @@ class PlyParser {
     }
     if (has_faces) return Status();
     return body_->Error(
-        "expected an element 'vertex' with x, y and z, then an element 'face' with a list "
-        "vertex_indices; write the mesh as polygons (not strips or points)");
+        "expected an element 'vertex' with x, y and z, then an element 'face' (or 'tristrips') "
+        "with "
+        "a list vertex_indices; are these points without faces?");
   }
 
   /// The properties that hold texture coordinates of vertices, under any of their usual names.
@@ -97,9 +99,11 @@ class PlyParser {
   }
 
   static bool IsCorners(const PlyElement& element, const PlyProperty& property) {
-    return element.name == "face" && property.is_list &&
+    return (element.name == "face" || IsStrips(element)) && property.is_list &&
            (property.name == "vertex_indices" || property.name == "vertex_index");
   }
+
+  static bool IsStrips(const PlyElement& element) { return element.name == "tristrips"; }
 
   Status ParseElement(const PlyElement& element, std::int64_t i) {
     if (!body_->NextElement()) {
@@ -174,8 +178,32 @@ class PlyParser {
       if (!IsWhole(*number)) return body_->Error(fmt::format("vertex index {}", *number));
       corners_.push_back(static_cast<std::int64_t>(*number));
     }
-    const std::string problem = is_corners ? AddPolygon(corners_, &soup_) : "";
+    if (!is_corners) return Status();
+    const std::string problem = IsStrips(element) ? AddStrips() : AddFace();
     return problem.empty() ? Status() : body_->Error(problem);
+  }
+
+  /// Of the corners that were read last; returns what is wrong with them.
+  std::string AddFace() {
+    if (corners_.size() >= 3) return AddPolygon(corners_, &soup_);
+    few_corners_.At(*body_);
+    return "";
+  }
+
+  /// The triangles of strips, one behind the other with -1 between them: three corners in a row,
+  /// every second one turned around. Those that touch a vertex twice only carry the strip on.
+  std::string AddStrips() {
+    std::size_t in_strip = 0;  // corners
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      in_strip = corners_[i] == -1 || corners_[i] == kUnsignedMinusOne ? 0 : in_strip + 1;
+      if (in_strip < 3) continue;
+      std::array<std::int64_t, 3> c = {corners_[i - 2], corners_[i - 1], corners_[i]};
+      if (in_strip % 2 == 0) std::swap(c[0], c[1]);
+      if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+      std::string problem = AddPolygon({c.begin(), c.end()}, &soup_);
+      if (!problem.empty()) return problem;
+    }
+    return "";
   }
 
   static bool IsWhole(double number) {
@@ -196,6 +224,8 @@ class PlyParser {
   std::vector<double> face_texture_;                                ///< of the face being read
   std::vector<Eigen::Vector2d> corner_texture_;  ///< of the corners of all faces that list any
   std::vector<char> corner_has_texture_;         ///< C
+  PassedOver few_corners_{kTooFewCorners};
+  PassedOver more_{"more lines follow than the header promises, and are ignored"};
 };
 
 }  // namespace
@@ -220,15 +250,20 @@ Index MostCorners(const PolygonSoup& mesh) {
 }  // namespace
 
 TextPieces FormatPly(const PolygonSoup& mesh) {
+  SplitVertices split;
+  const bool textured = !mesh.texture.empty();
+  if (textured) split = SplitAtSeams(mesh);
   TextWriter out;
   out.Text("ply\nformat ascii 1.0\nelement vertex ");
-  out.Number(mesh.position.size());
-  out.Text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
+  out.Number(textured ? split.vertex.size() : mesh.position.size());
+  out.Text("\nproperty double x\nproperty double y\nproperty double z");
+  if (textured) out.Text("\nproperty double s\nproperty double t");
+  out.Text("\nelement face ");
   out.Number(mesh.num_polygons());
   // Many readers know only the usual uchar, which holds 255 corners.
   out.Text(MostCorners(mesh) < 256 ? "\nproperty list uchar int vertex_indices\nend_header\n"
                                    : "\nproperty list int int vertex_indices\nend_header\n");
-  WritePointsAndPolygons(mesh, &out);
+  WritePointsAndPolygons(mesh, textured ? &split : nullptr, &out);
   return std::move(out).TakePieces();
 }
 

@@ -96,8 +96,9 @@ StatusOr<PlyHeader> ParsePlyHeader(TextScanner* scanner) {
       return has_format ? StatusOr<PlyHeader>(std::move(header))
                         : scanner->Error("expected a 'format' line in the header");
     } else if (keyword != "comment" && keyword != "obj_info") {
-      status = scanner->Error("expected format, element, property, comment or end_header, got " +
-                              Quoted(keyword));
+      header.warnings.push_back(
+          fmt::format("{}: a line of the header that begins with {} is ignored", scanner->Place(),
+                      Quoted(keyword)));
     }
     if (!status.ok()) return status;
   }

@@ -31,6 +31,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;
+  std::vector<std::string> warnings;  ///< "path:line: ..." of lines that are none of a header
 };
 
 /// Reads the header; the scanner is left on the line `end_header`.

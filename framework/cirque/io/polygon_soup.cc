@@ -55,14 +55,64 @@ std::vector<Index> FirstOfEqualPoints(const std::vector<Eigen::Vector3d>& points
   return first;
 }
 
-void WritePointsAndPolygons(const PolygonSoup& mesh, TextWriter* out) {
-  out->Lines(static_cast<int>(mesh.position.size()),
-             [&](int v, TextWriter* line) { line->PointLine(mesh.position[v]); });
+void PassedOver::Warn(PolygonSoup* soup) const {
+  if (count_ == 0) return;
+  const std::string more = count_ > 1 ? fmt::format(" (and {} times more)", count_ - 1) : "";
+  soup->warnings.push_back(first_ + ": " + what_ + more);
+}
+
+namespace {
+
+bool SameBits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::bit_cast<std::uint64_t>(a.x()) == std::bit_cast<std::uint64_t>(b.x()) &&
+         std::bit_cast<std::uint64_t>(a.y()) == std::bit_cast<std::uint64_t>(b.y());
+}
+
+}  // namespace
+
+SplitVertices SplitAtSeams(const PolygonSoup& mesh) {
+  SplitVertices split;
+  split.vertex.resize(mesh.position.size());
+  for (std::size_t v = 0; v < split.vertex.size(); ++v) split.vertex[v] = static_cast<Index>(v);
+  split.texture.assign(mesh.position.size(), kNone);
+  split.corner = mesh.corner;
+  std::vector<Index> next(mesh.position.size(), kNone);  // the next copy of the same vertex
+  for (std::size_t c = 0; c < mesh.corner.size(); ++c) {
+    const Index texture = mesh.corner_texture[c];
+    if (texture == kNone) continue;
+    Index& mine = split.corner[c];
+    if (split.texture[mine] == kNone) split.texture[mine] = texture;
+    while (!SameBits(mesh.texture[split.texture[mine]], mesh.texture[texture])) {
+      if (next[mine] == kNone) {
+        next[mine] = static_cast<Index>(split.vertex.size());
+        split.vertex.push_back(mesh.corner[c]);
+        split.texture.push_back(texture);
+        next.push_back(kNone);
+      }
+      mine = next[mine];
+    }
+  }
+  return split;
+}
+
+void WritePointsAndPolygons(const PolygonSoup& mesh, const SplitVertices* split, TextWriter* out) {
+  if (split) {
+    out->Lines(static_cast<int>(split->vertex.size()), [&](int v, TextWriter* line) {
+      Eigen::Matrix<double, 5, 1> numbers = Eigen::Matrix<double, 5, 1>::Zero();
+      numbers.head<3>() = mesh.position[split->vertex[v]];
+      if (split->texture[v] != kNone) numbers.tail<2>() = mesh.texture[split->texture[v]];
+      line->PointLine(numbers);
+    });
+  } else {
+    out->Lines(static_cast<int>(mesh.position.size()),
+               [&](int v, TextWriter* line) { line->PointLine(mesh.position[v]); });
+  }
+  const std::vector<Index>& corner = split ? split->corner : mesh.corner;
   out->Lines(mesh.num_polygons(), [&](int p, TextWriter* line) {
     line->Number(mesh.first_corner[p + 1] - mesh.first_corner[p]);
     for (Index c = mesh.first_corner[p]; c < mesh.first_corner[p + 1]; ++c) {
       line->Text(" ");
-      line->Number(mesh.corner[c]);
+      line->Number(corner[c]);
     }
     line->Text("\n");
   });

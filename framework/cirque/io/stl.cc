@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <utility>
 
@@ -33,9 +35,12 @@ PolygonSoup Weld(const std::vector<Eigen::Vector3d>& corners) {
   return soup;
 }
 
-PolygonSoup ParseBinary(std::string_view content) {
+/// @pre at least as many bytes as announced.
+PolygonSoup ParseBinary(const std::string& path, std::string_view content) {
   std::vector<Eigen::Vector3d> corners;
-  for (std::size_t at = kHeader; at < content.size(); at += kTriangle) {
+  std::string not_finite_at;
+  const auto size = static_cast<std::size_t>(AnnouncedSize(content));
+  for (std::size_t at = kHeader; at < size; at += kTriangle) {
     for (std::size_t k = 0; k < 3; ++k) {
       Eigen::Vector3d& corner = corners.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) {
@@ -43,11 +48,30 @@ PolygonSoup ParseBinary(std::string_view content) {
         corner[static_cast<int>(i)] =
             static_cast<double>(ReadBytes<float>(bytes, ByteOrder::kLittle));
       }
+      if (!corner.allFinite() && not_finite_at.empty()) {
+        not_finite_at = fmt::format("{}: byte {}", path, at + kNormal + 12 * k);
+      }
     }
   }
-  return Weld(corners);
+  PolygonSoup soup = Weld(corners);
+  soup.not_finite_at = not_finite_at;
+  if (content.size() > size) {
+    soup.warnings.push_back(
+        fmt::format("{}: the last {} bytes, behind the announced triangles, "
+                    "are ignored",
+                    path, content.size() - size));
+  }
+  return soup;
 }
 
+std::string Lower(std::string_view word) {
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+/// Reads word by word: programs differ in capitals, in line ends and in `end solid`.
 class StlTextParser {
  public:
   StlTextParser(const std::string& path, std::string_view text) : scanner_(path, text) {}
@@ -63,27 +87,32 @@ class StlTextParser {
   }
 
  private:
-  /// From the line `solid NAME` to the line `endsolid NAME`.
+  /// From `solid NAME` to the line `endsolid NAME`.
   Status ParseSolid() {
-    Status status = ExpectWord("solid");
+    Status status = Expect("solid");
+    if (!scanner_.NextLine()) return EndsEarly();  // the name
     while (status.ok()) {
-      if (!scanner_.NextLine()) return EndsEarly();
-      const std::string_view word = scanner_.Word();
-      if (word == "endsolid") return Status();
+      const std::string word = Next();
+      if (word.empty()) return EndsEarly();
+      if (word == "endsolid" || (word == "end" && Next() == "solid")) return Status();
       status = word == "facet" ? ParseFacet() : NotAFacet(word);
     }
     return status;
   }
 
-  /// The lines after `facet`.
+  /// What follows `facet`: `normal`, three numbers that are not read, and the corners.
   Status ParseFacet() {
-    Status status = NextLineIs("outer");
+    constexpr int kMostWords = 4;
+    std::string word = Next();
+    for (int i = 0; i < kMostWords && word != "outer"; ++i) word = Next();
+    if (word != "outer") return NotThe("outer", word);
+    Status status = Expect("loop");
     for (int k = 0; status.ok() && k < 3; ++k) {
-      status = NextLineIs("vertex");
+      status = Expect("vertex");
       if (status.ok()) status = ParseCorner();
     }
-    if (status.ok()) status = NextLineIs("endloop");
-    return status.ok() ? NextLineIs("endfacet") : status;
+    if (status.ok()) status = ExpectEnd("loop");
+    return status.ok() ? ExpectEnd("facet") : status;
   }
 
   Status ParseCorner() {
@@ -97,17 +126,30 @@ class StlTextParser {
     return Status();
   }
 
-  Status NextLineIs(std::string_view keyword) {
-    return scanner_.NextLine() ? ExpectWord(keyword) : EndsEarly();
+  /// The next word, on this line or a later one, in lower case; empty at the end of the file.
+  std::string Next() {
+    if (scanner_.AtLineEnd() && !scanner_.NextLine()) return "";
+    return Lower(scanner_.Word());
   }
 
-  Status ExpectWord(std::string_view keyword) {
-    const std::string_view word = scanner_.Word();
-    if (word == keyword) return Status();
+  Status Expect(const std::string& keyword) {
+    const std::string word = Next();
+    return word == keyword ? Status() : NotThe(keyword, word);
+  }
+
+  /// `endloop` or `end loop`.
+  Status ExpectEnd(const std::string& keyword) {
+    const std::string word = Next();
+    return word == "end" ? Expect(keyword)
+                         : (word == "end" + keyword ? Status() : NotThe("end" + keyword, word));
+  }
+
+  Status NotThe(const std::string& keyword, const std::string& word) const {
+    if (word.empty()) return EndsEarly();
     return scanner_.Error(fmt::format("expected '{}', got {}", keyword, Quoted(word)));
   }
 
-  Status NotAFacet(std::string_view word) const {
+  Status NotAFacet(const std::string& word) const {
     return scanner_.Error(fmt::format("expected 'facet' or 'endsolid', got {}", Quoted(word)));
   }
 
@@ -120,23 +162,44 @@ class StlTextParser {
   std::string not_finite_at_;
 };
 
+/// Text, not a binary file whose first bytes are `solid`: those of its count or of its first normal
+/// hold a 0.
+bool IsText(std::string_view content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && Lower(content.substr(first, 5)) == "solid" &&
+         content.substr(0, kHeader + kNormal).find('\0') == std::string_view::npos;
+}
+
+/// Whether what stands behind the announced triangles may be left alone: less than one of them, or
+/// padding.
+bool IsTail(std::string_view tail) {
+  return tail.size() < kTriangle || tail.find_first_not_of('\0') == std::string_view::npos;
+}
+
 }  // namespace
 
+bool IsBinaryStl(std::string_view content) {
+  return content.size() >= kHeader && content.size() == AnnouncedSize(content);
+}
+
 StatusOr<PolygonSoup> ParseStl(const std::string& path, std::string_view content) {
-  if (content.size() >= kHeader && content.size() == AnnouncedSize(content)) {
-    return ParseBinary(content);
-  }
-  if (content.starts_with("solid")) return StlTextParser(path, content).Parse();
+  if (IsBinaryStl(content)) return ParseBinary(path, content);
+  if (IsText(content)) return StlTextParser(path, content).Parse();
   if (content.size() < kHeader) {
     return Status::InvalidInput(fmt::format(
         "{}: neither text STL (it does not start with 'solid') nor binary (it is shorter than {} "
         "bytes); is it cut off?",
         path, kHeader));
   }
+  const std::uint64_t announced = AnnouncedSize(content);
+  if (announced > kHeader && announced < content.size() &&
+      IsTail(content.substr(static_cast<std::size_t>(announced)))) {
+    return ParseBinary(path, content);
+  }
   return Status::InvalidInput(
       fmt::format("{}: a binary STL file with the count in its header has {} bytes, this one has "
                   "{}; is it cut off, or not STL?",
-                  path, AnnouncedSize(content), content.size()));
+                  path, announced, content.size()));
 }
 
 }  // namespace cirque

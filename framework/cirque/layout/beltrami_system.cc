@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "cirque/layout/step_system.h"
+
 namespace cirque {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double kSeamStiffness = 1e8;  ///< of a seam's constraint over that of the faces beside it
 
 struct Derivatives {
   Complex f_z, f_zbar;

@@ -8,6 +8,7 @@
 
 #include "cirque/core/types.h"
 #include "cirque/layout/map_objective.h"
+#include "cirque/layout/sliding.h"
 #include "cirque/linear/hermitian_cholesky.h"
 
 namespace cirque {
@@ -20,6 +21,8 @@ struct BeltramiFace {
   std::array<Index, 3> vertex;
   double weight;  ///< in the mean over all faces; 0: no area on the surface, no part in the mean
   std::array<std::complex<double>, 3> hat;
+  /// That factor, for derivatives by lengths on the surface scaled to area 1.
+  double scale = 0;
 };
 
 /// |mu|^2 = |f_zbar / f_z|^2 of a face.
@@ -44,6 +47,8 @@ struct MapPart {
   std::vector<std::array<Index, 3>> triangles;  ///< the faces, counter-clockwise
   std::vector<BeltramiFace> faces;              ///< those with a weight, their vertices increasing
   std::vector<SeamConstraint> seams;
+  std::vector<Rail> rails;   ///< of the moving vertices that slide, in their order; none with seams
+  std::vector<RimEdge> rim;  ///< at those
 };
 
 /// The objective's sum over the faces of a part, and the Hermitian matrices of its Gauss-Newton

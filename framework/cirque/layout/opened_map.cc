@@ -66,6 +66,7 @@ OpenedMap::OpenedMap(const SeamedSurface& of, const CornerUv& uv, double least_a
   area_before_ = ImageArea();
   MeasureFaces(of.surface, least_area);
   Hold(of);
+  LayRails(of);
 }
 
 void OpenedMap::MeasureFaces(const IntrinsicSurface& surface, double least_area) {
@@ -84,12 +85,14 @@ void OpenedMap::MeasureFaces(const IntrinsicSurface& surface, double least_area)
     const Complex apex = std::sin(angle[h + 1]) / across * Complex(std::cos(angle[h]), sine);
     const Complex i(0, 1);
     face.hat = {i * (apex - 1.0), -i * apex, i};
+    face.scale = length(h + 2) / (4 * area);
     if (SquaredBeltrami(face, z_) < 1) area_[f] = area;
   });
   const double total = std::accumulate(area_.begin(), area_.end(), 0.0);
   double weights = 0;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     area_[f] /= total;
+    faces_[f].scale *= std::sqrt(total);
     const double least = least_area / static_cast<double>(faces_.size());
     faces_[f].weight = area_[f] > 0 ? std::max(area_[f], least) : 0;
     weights += faces_[f].weight;
@@ -111,6 +114,38 @@ void OpenedMap::Hold(const SeamedSurface& of) {
   }
   held_.resize(open_.num_vertices);
   for (Index c = 0; c < t.num_halfedges(); ++c) held_[open_.vertex[c]] = held[t.vertex[c]];
+}
+
+/// Vertices without seams are those of the surface. One that does not lie on its rail as the
+/// boundary runs there stays.
+void OpenedMap::LayRails(const SeamedSurface& of) {
+  rail_of_.assign(open_.num_vertices, kNone);
+  const std::vector<bool>& slides = of.sliding.slides;
+  if (std::find(slides.begin(), slides.end(), true) == slides.end()) return;
+  has_place_ = true;
+  std::vector<bool> wanted(open_.num_vertices, false);
+  for (Index c = 0; c < open_.num_halfedges(); ++c) {
+    const Index v = of.surface.triangulation.vertex[c];
+    wanted[open_.vertex[c]] = slides[v] && !held_[open_.vertex[c]];
+  }
+  const auto rail = [&](Index v) {
+    return Rail{v, of.sliding.direction.empty() ? Complex(0) : of.sliding.direction[v]};
+  };
+  std::vector<bool> runs = wanted;
+  for (Index h = 0; h < open_.num_halfedges(); ++h) {
+    if (open_.twin[h] != kNone) continue;
+    for (const Index v : {open_.Tail(h), open_.Tip(h)}) {
+      if (!wanted[v]) continue;
+      const RimEdge edge{open_.Tail(h), open_.Tip(h), rail(v).direction};
+      if (!of.seams.empty() || !edge.RunsBetween(z_[edge.tail], z_[edge.tip])) runs[v] = false;
+    }
+  }
+  for (Index v = 0; v < open_.num_vertices; ++v) {
+    if (wanted[v] && !runs[v]) held_[v] = true;
+    if (!runs[v]) continue;
+    rail_of_[v] = static_cast<Index>(rails_.size());
+    rails_.push_back(rail(v));
+  }
 }
 
 std::vector<double> OpenedMap::Energies(const MapObjective& objective) const {
@@ -136,6 +171,7 @@ MapPart OpenedMap::PartOf(const std::vector<bool>& moves, const std::vector<Inde
   NumberVertices(moves, faces, &part);
   AddFaces(faces, &part);
   AddSeams(faces, seams, &part);
+  AddRails(faces, &part);
   for (const Index v : part.vertex) number_[v] = kNone;
   return part;
 }
@@ -204,6 +240,23 @@ void OpenedMap::AddSeams(const std::vector<Index>& faces, const std::vector<Inde
     for (Index& v : seam.vertex) v = number_[v];
     seam.left_face = place(seam.left_face), seam.right_face = place(seam.right_face);
     part->seams.push_back(seam);
+  }
+}
+
+void OpenedMap::AddRails(const std::vector<Index>& faces, MapPart* part) const {
+  if (rails_.empty()) return;
+  const auto slides = [&](Index v) { return number_[v] < part->unknowns && rail_of_[v] != kNone; };
+  const auto direction = [&](Index v) { return rails_[rail_of_[v]].direction; };
+  for (Index i = 0; i < part->unknowns; ++i) {
+    const Index rail = rail_of_[part->vertex[i]];
+    if (rail != kNone) part->rails.push_back({i, rails_[rail].direction});
+  }
+  for (const Index f : faces) {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index tail = open_.Tail(h), tip = open_.Tip(h);
+      if (open_.twin[h] != kNone || !(slides(tail) || slides(tip))) continue;
+      part->rim.push_back({number_[tail], number_[tip], direction(slides(tail) ? tail : tip)});
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "cirque/layout/beltrami_system.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/seams.h"
+#include "cirque/layout/sliding.h"
 
 namespace cirque {
 
@@ -18,7 +19,8 @@ struct SeamedSurface {
   const IntrinsicSurface& surface;
   const Cut& cut;
   const std::vector<Seam>& seams;
-  std::vector<bool> held = {};  ///< for every vertex of the surface, whether it stays; empty: none
+  std::vector<bool> held = {};   ///< for every vertex of the surface, whether it stays; empty: none
+  SlidingVertices sliding = {};  ///< of those that are not held; where there are seams they stay
 };
 
 /// One for every edge of the seams, between vertices of `open`, the surface cut open.
@@ -40,6 +42,7 @@ class OpenedMap {
   const std::vector<SeamConstraint>& seams() const { return seams_; }
   /// For every vertex of the opened surface.
   const std::vector<bool>& held() const { return held_; }
+  bool HasRails() const { return !rails_.empty(); }          ///< vertices slide
   double FaceArea(Index face) const { return area_[face]; }  ///< all sum to 1
 
   Eigen::VectorXcd& z() { return z_; }
@@ -59,18 +62,20 @@ class OpenedMap {
   MapPart Whole();
 
   /// The positions as UVs, scaled about the origin to the area that the image had, unless vertices
-  /// of the surface are held. Scaling rounds: where that would flip a face or part the sides of a short opened edge, it is by the nearest
+  /// of the surface are held or slide. Scaling rounds: where that would flip a face or part the sides of a short opened edge, it is by the nearest
   /// power of two.
   void WriteTo(CornerUv* uv) const;
 
  private:
   void MeasureFaces(const IntrinsicSurface& surface, double least_area);
   void Hold(const SeamedSurface& of);
+  void LayRails(const SeamedSurface& of);
   void NumberVertices(const std::vector<bool>& moves, const std::vector<Index>& faces,
                       MapPart* part);
   void AddFaces(const std::vector<Index>& faces, MapPart* part) const;
   void AddSeams(const std::vector<Index>& faces, const std::vector<Index>& seams,
                 MapPart* part) const;
+  void AddRails(const std::vector<Index>& faces, MapPart* part) const;
   double ImageArea() const;
   bool KeepsOrientation(double scale) const;
   double ScaleBack() const;
@@ -80,6 +85,8 @@ class OpenedMap {
   std::vector<BeltramiFace> faces_;
   std::vector<double> area_;
   std::vector<bool> held_;
+  std::vector<Rail> rails_;     ///< increasing
+  std::vector<Index> rail_of_;  ///< V of the opened surface: among rails_, or kNone
   Eigen::VectorXcd z_;
   double area_before_;
   bool short_seams_ = false, has_place_ = false;

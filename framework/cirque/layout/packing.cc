@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <glog/logging.h>
@@ -47,67 +48,119 @@ std::vector<Vector2d> ConvexHull(std::vector<Vector2d> points) {
 
 struct Placed {
   Eigen::Matrix2d rotation;
-  AlignedBox2d box;       // of the rotated patch
-  Vector2d shelf_corner;  // where the box's lower corner goes
+  AlignedBox2d box;        // of the rotated patch
+  Vector2d corner;         // where the lower corner goes of the box, turned or not
+  bool is_turned = false;  // by a quarter more
+
+  Vector2d Size(bool turned) const {
+    const Vector2d size = box.sizes();
+    return turned ? Vector2d(size.y(), size.x()) : size;
+  }
+
+  Vector2d Place(const Vector2d& p) const {
+    const Vector2d inside = rotation * p - box.min();
+    if (!is_turned) return corner + inside;
+    return corner + Vector2d(box.sizes().y() - inside.y(), inside.x());
+  }
 };
 
-/// Lays the box down, so that shelves fit tight.
 Placed Orient(const std::vector<Vector2d>& points, bool rotate) {
   Placed placed;
   const double angle = rotate ? -LeastRectangleDirection(points) : 0;
   placed.rotation = Eigen::Rotation2Dd(angle).toRotationMatrix();
   for (const Vector2d& p : points) placed.box.extend(Vector2d(placed.rotation * p));
-  if (rotate && placed.box.sizes().x() < placed.box.sizes().y()) {
-    Eigen::Matrix2d quarter;
-    quarter << 0, -1, 1, 0;
-    placed.rotation = (quarter * placed.rotation).eval();
-    placed.box.setEmpty();
-    for (const Vector2d& p : points) placed.box.extend(Vector2d(placed.rotation * p));
-  }
   return placed;
 }
 
-/// Fills shelves of the given width; returns the side of the square that holds them.
-double FillShelves(const std::vector<Index>& order, double width, double gap,
-                   std::vector<Placed>* patches) {
-  Vector2d corner(0, 0);
-  double shelf_height = 0, used_width = 0;
-  for (const Index i : order) {
-    const Vector2d size = (*patches)[i].box.sizes();
-    if (corner.x() > 0 && corner.x() + size.x() > width) {
-      corner = {0, corner.y() + shelf_height + gap};
-      shelf_height = 0;
+/// The upper border of what has been placed in a strip that is open above.
+class Skyline {
+ public:
+  explicit Skyline(double width) : width_(width), steps_{{0, 0}} {}
+
+  /// The lowest place for a box, the leftmost of equals; nothing where it is too wide.
+  std::optional<Vector2d> Find(const Vector2d& size) const {
+    std::optional<Vector2d> best;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (steps_[i].x + size.x() > width_) break;
+      double y = steps_[i].y;
+      for (std::size_t j = i + 1; j < steps_.size() && steps_[j].x < steps_[i].x + size.x(); ++j) {
+        y = std::max(y, steps_[j].y);
+      }
+      if (!best || y < best->y()) best = Vector2d(steps_[i].x, y);
     }
-    (*patches)[i].shelf_corner = corner;
-    used_width = std::max(used_width, corner.x() + size.x());
-    shelf_height = std::max(shelf_height, size.y());
-    corner.x() += size.x() + gap;
+    return best;
   }
-  return std::max(used_width, corner.y() + shelf_height);
+
+  /// Puts a box where Find found room.
+  void Add(const Vector2d& corner, const Vector2d& size) {
+    const double end = corner.x() + size.x();
+    std::size_t first = 0;
+    while (steps_[first].x < corner.x()) ++first;
+    std::size_t last = first;
+    double y_behind = corner.y();
+    while (last < steps_.size() && steps_[last].x < end) y_behind = steps_[last++].y;
+    const bool goes_on = last < steps_.size() ? steps_[last].x > end : end < width_;
+    const auto at = steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(first),
+                                 steps_.begin() + static_cast<std::ptrdiff_t>(last));
+    const auto box = steps_.insert(at, Step{corner.x(), corner.y() + size.y()});
+    if (goes_on) steps_.insert(box + 1, Step{end, y_behind});
+  }
+
+ private:
+  struct Step {
+    double x, y;  // from x on to the next step's, or the strip's end
+  };
+
+  double width_;
+  std::vector<Step> steps_;  // by x
+};
+
+/// Fills a strip of the given width; returns the side of the square that holds it.
+double FillStrip(const std::vector<Index>& order, double width, double gap, bool turn,
+                 std::vector<Placed>* patches) {
+  const Vector2d gaps(gap, gap);
+  Skyline skyline(width + gap);
+  Vector2d used(0, 0);
+  for (const Index i : order) {
+    Placed& patch = (*patches)[i];
+    double best_top = std::numeric_limits<double>::infinity();
+    for (const bool turned : {false, true}) {
+      if (turned && !turn) continue;
+      const Vector2d size = patch.Size(turned);
+      const std::optional<Vector2d> corner = skyline.Find(size + gaps);
+      if (!corner || !(corner->y() + size.y() < best_top)) continue;
+      best_top = corner->y() + size.y();
+      patch.corner = *corner;
+      patch.is_turned = turned;
+    }
+    skyline.Add(patch.corner, patch.Size(patch.is_turned) + gaps);
+    used = used.cwiseMax(patch.corner + patch.Size(patch.is_turned));
+  }
+  return used.maxCoeff();
 }
 
 /// The side of the smallest square found.
-double PackBoxes(double relative_gap, std::vector<Placed>* patches) {
+double PackBoxes(const PackingOptions& options, std::vector<Placed>* patches) {
   double area = 0, widest = 0;
   for (const Placed& p : *patches) {
     area += p.box.volume();
     widest = std::max(widest, p.box.sizes().maxCoeff());
   }
-  const double least_width = std::max(std::sqrt(area), widest), gap = relative_gap * least_width;
+  const double least_width = std::max(std::sqrt(area), widest), gap = options.gap * least_width;
   std::vector<Index> order(patches->size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return (*patches)[a].box.sizes().y() > (*patches)[b].box.sizes().y();
+    return (*patches)[a].box.sizes().maxCoeff() > (*patches)[b].box.sizes().maxCoeff();
   });
-  constexpr int kWidths = 32;
+  const int widths = patches->size() < 10000 ? 32 : 4;
   double best_width = least_width, best_side = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kWidths; ++i) {
-    const double width = least_width * (1 + static_cast<double>(i) / kWidths);
-    const double side = FillShelves(order, width, gap, patches);
+  for (int i = 0; i < widths; ++i) {
+    const double width = least_width * (1 + 0.5 * i / widths);
+    const double side = FillStrip(order, width, gap, options.rotate, patches);
     if (side < best_side) best_width = width;
     best_side = std::min(side, best_side);
   }
-  return FillShelves(order, best_width, gap, patches);
+  return FillStrip(order, best_width, gap, options.rotate, patches);
 }
 
 std::vector<std::vector<Vector2d>> PointsOfPatches(const CornerUv& uv, const Patches& patches) {
@@ -151,18 +204,16 @@ Packing PackPatches(const CornerUv& uv, const Patches& patches, const PackingOpt
   for (const auto& points : PointsOfPatches(uv, patches)) {
     placed.push_back(Orient(points, options.rotate));
   }
-  const double side = PackBoxes(options.gap, &placed);
+  const double side = PackBoxes(options, &placed);
   // A little less than all of the square, so that rounding leads nothing out of it.
   constexpr double kInside = 1 - 1e-12;
   Packing packing;
-  packing.scale = side > 0 ? kInside / side : 1;
+  packing.scale = options.to_unit_square && side > 0 ? kInside / side : 1;
   packing.boxes.resize(patches.count);
   packing.uv.value.reserve(uv.value.size());
   for (std::size_t c = 0; c < uv.value.size(); ++c) {
     const Index patch = patches.of_face[c / 3];
-    const Placed& p = placed[patch];
-    const Vector2d inside = p.rotation * uv.value[c] - p.box.min();
-    packing.uv.value.push_back(packing.scale * (inside + p.shelf_corner));
+    packing.uv.value.push_back(packing.scale * placed[patch].Place(uv.value[c]));
     packing.boxes[patch].extend(packing.uv.value.back());
   }
   return packing;

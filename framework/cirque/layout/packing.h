@@ -11,22 +11,23 @@
 namespace cirque {
 
 struct PackingOptions {
-  bool rotate = true;     ///< each patch into its bounding rectangle of least area
+  bool rotate = true;  ///< each patch into its bounding rectangle of least area, either way round
   double gap = 1. / 256;  ///< between boxes, relative to the root of the boxes' total area; > 0
+  bool to_unit_square = true;  ///< false: as large as they are
 };
 
-/// Patches side by side in the unit square.
+/// Patches side by side in a square.
 struct Packing {
-  CornerUv uv;                             ///< 3F, in [0, 1]^2
+  CornerUv uv;                             ///< 3F, in [0, 1]^2 or [0, side]^2
   std::vector<Eigen::AlignedBox2d> boxes;  ///< per patch; they do not touch
   double scale = 1;                        ///< of all patches, so that areas stay comparable
 };
 
-/// Moves, rotates and scales the patches (all by the same factor, none mirrored) into the unit
-/// square, their boxes apart: on shelves, tallest first (the next-fit decreasing-height heuristic
-/// of E. Coffman et al., "Performance bounds for level-oriented two-dimensional packing
-/// algorithms", 1980), the shelf's width the best of several. A single patch is normalised to the
-/// square. O(n log n).
+/// Moves, rotates and scales the patches (all by the same factor, none mirrored) into a square at 0,
+/// their boxes apart: one after the other, the longest first, each as low as it fits upon those
+/// before and then as far left, lying or standing (the bottom-left heuristic on a skyline: B. Baker
+/// et al., "Orthogonal packings in two dimensions", 1980); the width to fill is the best of several.
+/// O(n (log n + s)) for a skyline of s steps, of which there are about the root of n.
 /// @pre finite UVs.
 Packing PackPatches(const CornerUv& uv, const Patches& patches, const PackingOptions& options);
 

@@ -1,8 +1,10 @@
 #include "cirque/layout/refine_map.h"
 
 #include <utility>
+#include <vector>
 
 #include "cirque/layout/gauss_newton.h"
+#include "cirque/layout/stretch_sum.h"
 
 namespace cirque {
 
@@ -26,6 +28,39 @@ StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& o
   if (cancelled && *cancelled)
     return Status(StatusCode::kCancelled, "refinement of the map: interrupted");
   result.after = map.Mean(objective);
+  result.at_rest = result.steps < options.steps;
+  if (result.steps > 0) map.WriteTo(uv);
+  return result;
+}
+
+const OptionTable<RefineStretchOptions>& RefineStretchOptionTable(bool blends) {
+  using O = RefineStretchOptions;
+  static const std::vector<Option<O>> kOfAll = {
+      Option<O>("steps", &O::steps, "the most steps").Between(1, 1e6),
+      Option<O>("decrease", &O::decrease, "share of the energy to go on for").Between(0, 1)};
+  static const OptionTable<O> kPlain("refine_map", kOfAll);
+  static const OptionTable<O> kBlending(
+      "refine_map",
+      Joined<O>(kOfAll, {Option<O>("weight", &O::weight, "of area, 0: angles alone; 1: area alone")
+                             .Between(0, 1)}));
+  return blends ? kBlending : kPlain;
+}
+
+StatusOr<MapRefinement> RefineStretch(const SeamedSurface& of, StretchEnergy energy,
+                                      const RefineStretchOptions& options,
+                                      const std::atomic<bool>* cancelled, CornerUv* uv) {
+  energy.weight = options.weight;
+  OpenedMap map(of, *uv, 0);
+  const double unit = BestUnit(map.faces(), energy, map.z());
+  MapRefinement result;
+  result.before = StretchOf(map.faces(), energy, unit, map.z());
+  result.steps = LowerStretch(map.Whole(), energy, unit, {options.steps, options.decrease},
+                              cancelled, &map.z());
+  if (cancelled && *cancelled)
+    return Status(StatusCode::kCancelled, "refinement of the map: interrupted");
+  const double now = BestUnit(map.faces(), energy, map.z());
+  result.after = StretchOf(map.faces(), energy, now, map.z());
+  result.at_rest = result.steps < options.steps;
   if (result.steps > 0) map.WriteTo(uv);
   return result;
 }

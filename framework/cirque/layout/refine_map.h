@@ -7,6 +7,7 @@
 #include "cirque/core/status.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/opened_map.h"
+#include "cirque/layout/stretch_energy.h"
 
 namespace cirque {
 
@@ -22,6 +23,7 @@ const OptionTable<RefineMapOptions>& RefineMapOptionTable();
 struct MapRefinement {
   int steps = 0;  ///< on the whole map
   double before = 0, after = 0;
+  bool at_rest = false;  ///< ended before the most steps: the next would bring too little
 };
 
 /// Moves the UVs of a map without flipped faces to where the objective is less, while every seam
@@ -35,7 +37,8 @@ struct MapRefinement {
 ///   mu = sum_i z_i G_i / sum_i z_i conj(G_i),
 /// is holomorphic in z, so a step solves one Hermitian system
 ///   sum A w J* J,   A the faces' areas, w the objective's weight, J = d mu / d z
-/// (LowerObjective). Vertices can be held; that one slides along a line is no Hermitian condition.
+/// (LowerObjective). Vertices can be held, and those of a boundary can slide along it, which is no
+/// Hermitian condition: then the system is a real one.
 /// The image keeps its area (OpenedMap::WriteTo). Faces of no area take no part, but stay as they
 /// are oriented.
 ///
@@ -43,5 +46,23 @@ struct MapRefinement {
 StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& objective,
                                   const RefineMapOptions& options,
                                   const std::atomic<bool>* cancelled, CornerUv* uv);
+
+/// How to lower a stretch energy: further from where a circle pattern begins than conformal energies.
+struct RefineStretchOptions {
+  int steps = 100;         ///< the most
+  double decrease = 1e-4;  ///< ends when a step lowers the energy by less than this share
+  double weight = 0.5;     ///< of area in energies that blend
+};
+
+/// By name; `weight` only of energies that blend.
+const OptionTable<RefineStretchOptions>& RefineStretchOptionTable(bool blends);
+
+/// The same for an energy of both singular values (StretchEnergies), from angles towards lengths and
+/// areas: the same seams, rotations and exact orientation, steps by StretchSystem. The surface's unit
+/// is the best for the map as it comes (BestUnit), from which the image may grow and shrink; before
+/// and after are the energies in the best unit of each. The image keeps its area.
+StatusOr<MapRefinement> RefineStretch(const SeamedSurface& of, StretchEnergy energy,
+                                      const RefineStretchOptions& options,
+                                      const std::atomic<bool>* cancelled, CornerUv* uv);
 
 }  // namespace cirque

@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kWildMean = 5;          ///< of E by area alone: patches are of no use
 constexpr double kScatteredMean = 0.03;  ///< of what is outside the outliers, if that is most of E
+/// Where one step is to be made at least, on a map whose boundary slides: the first is cut short where
+/// a circle bends away from the tangents.
+constexpr int kStepsOfSliding = 3;
+constexpr Index kSmallMap = 1000;    ///< faces up to which steps on the whole map cost nothing
 constexpr Index kLargeMap = 200000;  ///< faces from which steps on the whole map must bring more
 
 /// A set of vertices in independent patches: no face has moving vertices of two.
@@ -196,8 +200,11 @@ void PatchRefiner::RefineWhole() {
   const bool bad = mean_ > (large ? 2 : 1) * options_.mean;
   const bool once = !large && mean_ > options_.once;
   if (cancelled() || !(bad || once)) return;
-  const int steps = bad ? options_.steps : std::min(1, options_.steps);
-  const StepLimits limits = {steps, (large ? 5 : 1) * options_.decrease};
+  const bool small = t_.num_faces() <= kSmallMap;
+  const int fewest = map_.HasRails() ? kStepsOfSliding : 1;
+  const int steps = bad ? (small ? 10 : 1) * options_.steps : std::min(fewest, options_.steps);
+  const double times = large ? 5 : small ? 0.01 : 1;
+  const StepLimits limits = {steps, times * options_.decrease};
   result_.steps = LowerObjective(map_.Whole(), objective_, limits, cancelled_, &map_.z());
   Measure();
 }

@@ -21,10 +21,11 @@ struct RefinePatchesOptions {
   double round_decrease = 0.02;  ///< share of E that a round must bring for another one
   int patch_steps = 30;          ///< in a patch and a round, the most
   double patch_decrease = 0.01;  ///< share of its energy that a step in a patch must bring
-  double mean = 0.01;      ///< E above which the whole map is refined too; twice that if large
-  double once = 5e-4;      ///< E above which that is at least one step, unless the map is large
-  int steps = 30;          ///< on the whole map, the most
-  double decrease = 0.01;  ///< share of E that such a step must bring; five times that if large
+  double mean = 0.01;  ///< E above which the whole map is refined too; twice that if large
+  double once = 5e-4;  ///< E above which that is at least one step, unless the map is large
+  int steps = 30;      ///< on the whole map, the most; ten times that if small
+  double decrease =
+      0.01;  ///< share of E that such a step must bring; five times that if large, a hundredth if small
 };
 
 /// All by name, with their meanings, for configs and the command line.

@@ -153,11 +153,12 @@ StatusOr<std::vector<int>> IntegerRotations(const Triangulation& t, const SeamRe
   for (const Seam& seam : report.seams) {
     const double multiple = std::round(seam.rotation / unit);
     if (!(std::abs(seam.rotation - multiple * unit) <= tolerance)) {
-      return Status::InvalidInput(fmt::format(
-          "the seam from vertex {} to vertex {} (0-based) turns by {:.9g} pi, no multiple of "
-          "2 pi / {}; give cones of such angles, and on loops and handles too",
-          t.Tail(seam.halfedges.front()), t.Tip(seam.halfedges.back()), seam.rotation / kPi,
-          order));
+      return Status::InvalidInput(
+          fmt::format("the seam from vertex {} (0-based) to vertex {} (0-based) turns by {:.9g} "
+                      "pi, no multiple of "
+                      "2 pi / {}; give cones of such angles, and on loops and handles too",
+                      t.Tail(seam.halfedges.front()), t.Tip(seam.halfedges.back()),
+                      seam.rotation / kPi, order));
     }
     // A half turn either way is the same; one of the two names it.
     multiples.push_back(static_cast<int>(2 * multiple == -order ? -multiple : multiple));

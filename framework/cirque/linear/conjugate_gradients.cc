@@ -44,7 +44,7 @@ void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::
 
 }  // namespace
 
-CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+CgResult ConjugateGradients(const LinearOperator& apply, const Eigen::VectorXd& right_side,
                             const Preconditioner& precondition, double tolerance,
                             int max_iterations, Eigen::VectorXd* x) {
   CgResult result;
@@ -59,7 +59,7 @@ CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& ri
     // Residuals differ by the step's share of the image.
     const bool first = result.iterations == 0;
     Combine(1, z, first ? 0 : -last_step * Dot(image, z) / last_rho, &direction);
-    image.noalias() = lower.selfadjointView<Eigen::Lower>() * direction;
+    apply(direction, &image);
     const double curvature = Dot(direction, image);
     if (!(curvature > 0)) {
       result.positive = false;
@@ -74,6 +74,15 @@ CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& ri
   }
   if (result.iterations == 0) x->setZero(right_side.size());
   return result;
+}
+
+CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                            const Preconditioner& precondition, double tolerance,
+                            int max_iterations, Eigen::VectorXd* x) {
+  const auto apply = [&lower](const Eigen::VectorXd& from, Eigen::VectorXd* to) {
+    to->noalias() = lower.selfadjointView<Eigen::Lower>() * from;
+  };
+  return ConjugateGradients(apply, right_side, precondition, tolerance, max_iterations, x);
 }
 
 }  // namespace cirque

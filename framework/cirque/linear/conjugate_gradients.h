@@ -11,6 +11,9 @@ namespace cirque {
 /// An approximate inverse: x for a right side b, in the memory that x has. b is not x.
 using Preconditioner = std::function<void(const Eigen::VectorXd& b, Eigen::VectorXd* x)>;
 
+/// y = A x, in the memory that y has. x is not y.
+using LinearOperator = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd* y)>;
+
 /// What a run of conjugate gradients achieved.
 struct CgResult {
   int iterations = 0;
@@ -24,6 +27,11 @@ struct CgResult {
 /// SIAM J. Sci. Comput. 22, 2000). Gives up early where the residual falls too slowly to reach its
 /// target within max_iterations.
 CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& right_side,
+                            const Preconditioner& precondition, double tolerance,
+                            int max_iterations, Eigen::VectorXd* x);
+
+/// The same for a symmetric operator that is known by what it does.
+CgResult ConjugateGradients(const LinearOperator& apply, const Eigen::VectorXd& right_side,
                             const Preconditioner& precondition, double tolerance,
                             int max_iterations, Eigen::VectorXd* x);
 

@@ -44,6 +44,12 @@ double HalfAngleWeight(double d, double theta) {
   return HalfAngleWeight(d, CircleAngle::FromExterior(theta));
 }
 
+double HalfAngleByThetaStar(double d, double theta_star) {
+  if (d < 0) return 1 - HalfAngleByThetaStar(-d, theta_star);
+  const double decay = std::exp(-d), cosine = std::cos(theta_star);
+  return decay * (decay + cosine) / (1 + 2 * decay * cosine + decay * decay);
+}
+
 double HalfAngleWeight(double d, const CircleAngle& angle) {
   // sin theta / (cosh d - cos theta), both scaled by 2 q with q = e^{-|d|}.
   const double q = std::exp(-std::abs(d));

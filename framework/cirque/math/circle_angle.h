@@ -36,6 +36,10 @@ double HalfAngle(double d, const CircleAngle& angle);
 double HalfAngleWeight(double d, double theta);
 double HalfAngleWeight(double d, const CircleAngle& angle);
 
+/// dphi / dtheta* at fixed d: (e^-d + cos theta*) / (2 cosh d + 2 cos theta*), in (0, 1); those of d
+/// and -d add up to 1.
+double HalfAngleByThetaStar(double d, double theta_star);
+
 /// The scalar element functions of the circle-pattern energy at an edge; notation of
 /// circle_angle.h. The coherent angles alpha_i, alpha_j > 0 lie opposite the edge and have a
 /// sum below pi; theta = pi - alpha_i - alpha_j.

@@ -109,6 +109,7 @@ std::vector<Index> OrientPiece(const std::vector<Index>& triangles, const Gluing
                                Index seed, std::vector<bool>* seen, Orientation* orientation) {
   std::vector<Index> piece = {seed};
   (*seen)[seed] = true;
+  bool is_one_sided = false;
   for (std::size_t next = 0; next < piece.size(); ++next) {
     const Index f = piece[next];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -121,8 +122,9 @@ std::vector<Index> OrientPiece(const std::vector<Index>& triangles, const Gluing
         (*seen)[neighbour] = true;
         orientation->turn[neighbour] = turn;
         piece.push_back(neighbour);
-      } else if (orientation->turn[neighbour] != turn && orientation->one_sided == kNone) {
-        orientation->one_sided = h;
+      } else if (orientation->turn[neighbour] != turn && !is_one_sided) {
+        is_one_sided = true;
+        orientation->one_sided.push_back(h);
       }
     }
   }
@@ -147,17 +149,19 @@ Orientation OrientTriangles(const std::vector<Index>& triangles, const Gluing& g
   return orientation;
 }
 
-void TurnTriangles(const std::vector<bool>& turn, std::vector<Index>* triangles,
+void TurnTriangles(const std::vector<bool>& turn, TriangleSoup* triangles,
                    std::vector<Index>* mate) {
   if (std::find(turn.begin(), turn.end(), true) == turn.end()) return;
   const auto moved = [&](Index h) {
     if (h == kNone || h % 3 == 0 || !turn[Triangulation::Face(h)]) return h;
     return h % 3 == 1 ? h + 1 : h - 1;
   };
-  const std::vector<Index> old_triangles = *triangles, old_mate = *mate;
+  const std::vector<Index> old_mate = *mate;
   for (Index h = 0; h < static_cast<Index>(old_mate.size()); ++h) {
-    (*triangles)[moved(h)] = old_triangles[h];
     (*mate)[moved(h)] = moved(old_mate[h]);
+    if (h % 3 != 1 || moved(h) == h) continue;
+    std::swap(triangles->vertex[h], triangles->vertex[h + 1]);
+    std::swap(triangles->corner[h], triangles->corner[h + 1]);
   }
 }
 

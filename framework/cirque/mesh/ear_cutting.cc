@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 
 #include <Eigen/Geometry>
 
@@ -24,19 +26,20 @@ std::vector<Eigen::Vector2d> Flattened(Polygon polygon) {
   return flat;
 }
 
-/// The cosine of the least angle of a triangle: small for a good one.
-double Sharpness(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const auto cosine = [](const Eigen::Vector3d& x, const Eigen::Vector3d& y,
-                         const Eigen::Vector3d& z) {
-    return (y - x).stableNormalized().dot((z - x).stableNormalized());
-  };
-  return std::max({cosine(a, b, c), cosine(b, c, a), cosine(c, a, b)});
-}
+/// What decides which ear is cut first, and nothing of it depends on where the polygon begins.
+struct Ear {
+  double sharpness;
+  Index tip, a, c;  ///< its corner and the ends of the diagonal
+};
 
 class EarCutter {
  public:
   explicit EarCutter(Polygon polygon)
-      : polygon_(polygon), flat_(Flattened(polygon)), size_(static_cast<Index>(polygon.size())) {
+      : polygon_(polygon),
+        flat_(Flattened(polygon)),
+        size_(static_cast<Index>(polygon.size())),
+        gone_(size_, false),
+        queue_([this](const Ear& x, const Ear& y) { return IsBetter(y, x); }) {
     for (Index i = 0; i < size_; ++i) {
       next_.push_back((i + 1) % size_);
       prev_.push_back((i + size_ - 1) % size_);
@@ -45,56 +48,129 @@ class EarCutter {
 
   PolygonTriangles Cut() {
     PolygonTriangles triangles;
-    sharpness_.resize(size_);
-    for (Index i = 0; i < size_; ++i) Judge(i);
-    for (Index left = size_; left > 3; --left) {
-      const auto best = std::min_element(sharpness_.begin(), sharpness_.end());
-      if (*best >= kNoEar) return {};
-      const auto tip = static_cast<Index>(best - sharpness_.begin());
-      triangles.push_back({prev_[tip], tip, next_[tip]});
-      next_[prev_[tip]] = next_[tip];
-      prev_[next_[tip]] = prev_[tip];
-      last_ = next_[tip];
-      *best = kGone;
-      Judge(prev_[tip]);
-      Judge(next_[tip]);
+    for (Index i = 0; i < size_; ++i) {
+      if (!TurnsLeft(i)) reflex_.push_back(i);
+      Propose(i);
     }
-    if (OrientationSign(flat_[prev_[last_]], flat_[last_], flat_[next_[last_]]) <= 0) return {};
+    for (Index left = size_; left > 3; --left) {
+      const Index tip = NextEar();
+      if (tip == kNone) return {};
+      triangles.push_back({prev_[tip], tip, next_[tip]});
+      Remove(tip);
+    }
+    if (!TurnsLeft(last_)) return {};
     triangles.push_back({prev_[last_], last_, next_[last_]});
     return triangles;
   }
 
  private:
-  static constexpr double kNoEar = 2, kGone = 3;  ///< beyond every cosine
-
-  void Judge(Index i) {
-    sharpness_[i] =
-        IsEar(i) ? Sharpness(polygon_[prev_[i]], polygon_[i], polygon_[next_[i]]) : kNoEar;
+  bool IsBetter(const Ear& x, const Ear& y) const {
+    if (x.sharpness != y.sharpness) return x.sharpness < y.sharpness;
+    const Eigen::Vector3d* const of_x[] = {&polygon_[x.tip], &polygon_[x.a], &polygon_[x.c]};
+    const Eigen::Vector3d* const of_y[] = {&polygon_[y.tip], &polygon_[y.a], &polygon_[y.c]};
+    for (int k = 0; k < 2; ++k) {
+      if (*of_x[k] != *of_y[k]) return ComesBefore(*of_x[k], *of_y[k]);
+    }
+    return ComesBefore(*of_x[2], *of_y[2]);
   }
 
-  /// Whether the triangle at corner i turns left and holds no other corner, on its sides neither.
-  bool IsEar(Index i) const {
-    const Eigen::Vector2d &a = flat_[prev_[i]], &b = flat_[i], &c = flat_[next_[i]];
-    if (OrientationSign(a, b, c) <= 0) return false;
-    for (Index k = next_[next_[i]]; k != prev_[i]; k = next_[k]) {
-      const Eigen::Vector2d& x = flat_[k];
-      if (OrientationSign(a, b, x) >= 0 && OrientationSign(b, c, x) >= 0 &&
-          OrientationSign(c, a, x) >= 0) {
-        return false;
+  bool TurnsLeft(Index i) const {
+    return OrientationSign(flat_[prev_[i]], flat_[i], flat_[next_[i]]) > 0;
+  }
+
+  /// Puts corner i among those that may be ears.
+  void Propose(Index i) {
+    if (!TurnsLeft(i)) return;
+    const Index a = prev_[i], c = next_[i];
+    queue_.push({Sharpness(polygon_[a], polygon_[i], polygon_[c]), i, a, c});
+  }
+
+  bool IsStale(const Ear& ear) const {
+    return next_[ear.tip] != ear.c || prev_[ear.tip] != ear.a || gone_[ear.tip];
+  }
+
+  /// The best of the ears. Those that something stood in the way of are tried again when no other
+  /// is left.
+  Index NextEar() {
+    bool again = true;
+    while (true) {
+      while (!queue_.empty()) {
+        const Ear ear = queue_.top();
+        queue_.pop();
+        if (IsStale(ear)) continue;
+        if (IsEar(ear.tip)) return ear.tip;
+        blocked_.push_back(ear);
       }
+      if (!again) return kNone;
+      again = false;
+      for (const Ear& ear : blocked_) queue_.push(ear);
+      blocked_.clear();
     }
-    return true;
+  }
+
+  void Remove(Index tip) {
+    const Index a = prev_[tip], c = next_[tip];
+    next_[a] = c;
+    prev_[c] = a;
+    last_ = c;
+    gone_[tip] = true;
+    std::erase_if(reflex_, [&](Index k) { return gone_[k] || TurnsLeft(k); });
+    Propose(a);
+    Propose(c);
+  }
+
+  /// Whether the triangle at corner i, which turns left, holds no other part of the border, on its
+  /// sides neither; copies of its own corners may lie there, if what they join leads away from it.
+  bool IsEar(Index i) const {
+    const Index a = prev_[i], c = next_[i];
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](Index k) {
+      if (k == a || k == c) return false;
+      const Eigen::Vector2d& x = flat_[k];
+      if (x == flat_[a]) return LeadsInto(k, flat_[i], flat_[c]);
+      if (x == flat_[i]) return LeadsInto(k, flat_[c], flat_[a]);
+      if (x == flat_[c]) return LeadsInto(k, flat_[a], flat_[i]);
+      return OrientationSign(flat_[a], flat_[i], x) >= 0 &&
+             OrientationSign(flat_[i], flat_[c], x) >= 0 &&
+             OrientationSign(flat_[c], flat_[a], x) >= 0;
+    });
+  }
+
+  /// Whether the border leaves corner k between the directions to two points, the first on the
+  /// right.
+  bool LeadsInto(Index k, const Eigen::Vector2d& right, const Eigen::Vector2d& left) const {
+    const auto inside = [&](Index to) {
+      return OrientationSign(flat_[k], right, flat_[to]) > 0 &&
+             OrientationSign(flat_[k], flat_[to], left) > 0;
+    };
+    return inside(prev_[k]) || inside(next_[k]);
   }
 
   const Polygon polygon_;
   const std::vector<Eigen::Vector2d> flat_;
   const Index size_;
   std::vector<Index> next_, prev_;  ///< of the corners that are left
-  std::vector<double> sharpness_;
+  std::vector<bool> gone_;
+  std::vector<Index> reflex_;  ///< the corners left that do not turn left
+  std::priority_queue<Ear, std::vector<Ear>, std::function<bool(const Ear&, const Ear&)>> queue_;
+  std::vector<Ear> blocked_;
   Index last_ = 0;  ///< a corner that is left
 };
 
 }  // namespace
+
+double Sharpness(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const auto cosine = [](const Eigen::Vector3d& x, const Eigen::Vector3d& y,
+                         const Eigen::Vector3d& z) {
+    return (y - x).stableNormalized().dot((z - x).stableNormalized());
+  };
+  constexpr double kDigits = 1e9;
+  return std::round(kDigits * std::max({cosine(a, b, c), cosine(b, c, a), cosine(c, a, b)})) /
+         kDigits;
+}
+
+bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
 
 Eigen::Vector3d NewellNormal(Polygon polygon) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();

@@ -141,6 +141,7 @@ class HoleFiller {
     Surface& surface = filled_.surface;
     surface.soup_vertex.resize(surface.position.size(), kNone);
     surface.soup_polygon.resize(vertex_.size() / 3, kNone);
+    surface.soup_corner.resize(vertex_.size(), kNone);
     surface.triangulation = NumberEdges(static_cast<Index>(surface.position.size()),
                                         std::move(vertex_), std::move(twin_));
     return std::move(filled_);

@@ -56,7 +56,7 @@ enum class KeptLoops {
 /// A surface whose first faces and vertices are those of another, in its order, and whose later
 /// ones fill holes of it.
 struct FilledSurface {
-  Surface surface;  ///< fill: soup_polygon and soup_vertex are kNone
+  Surface surface;  ///< fill: soup_polygon, soup_vertex and soup_corner are kNone
   Index num_input_faces = 0;
   Index num_input_vertices = 0;
   Index num_filled_loops = 0;

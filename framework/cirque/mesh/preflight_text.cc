@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 
 #include <fmt/format.h>
 
@@ -61,13 +62,15 @@ std::vector<std::string> VertexAndFaceProblems(const PreflightReport& report) {
                                    at.empty() ? "" : " (the first at " + at + ")"));
   }
   if (const auto& ids = report.repeated_vertex_faces; !ids.empty()) {
-    problems.push_back(fmt::format("{} with the same vertex twice: {}; remove or correct them",
-                                   Faces(ids.size()), Ids(ids)));
+    problems.push_back(
+        fmt::format("{} with the same vertex twice: {}; correct them, or let "
+                    "circle_patterns --repair=safe trim them or set them aside",
+                    Faces(ids.size()), Ids(ids)));
   }
   if (const auto& ids = report.zero_area_faces; !ids.empty()) {
     problems.push_back(
         fmt::format("{} of zero area, whose angles are undefined: {}; collapse an edge of each, or "
-                    "move a vertex",
+                    "let circle_patterns --repair=safe set them aside",
                     Faces(ids.size()), Ids(ids)));
   }
   return problems;
@@ -79,21 +82,18 @@ std::vector<std::string> ConnectivityProblems(const PreflightReport& report,
   std::vector<std::string> problems;
   if (const auto& edges = report.non_manifold_edges; !edges.empty()) {
     problems.push_back(fmt::format(
-        "{} with more than two faces, between vertices {}; remove the surplus faces, or duplicate "
-        "the vertices so that the sheets come apart",
+        "{} with more than two faces, between vertices {}; remove the surplus faces, or let "
+        "circle_patterns --repair=safe take the sheets apart",
         Count(edges.size(), "edge", "edges"), Edges(edges)));
   }
   if (const auto& ids = report.non_manifold_vertices; !ids.empty()) {
     problems.push_back(
         fmt::format("{} where the surface touches itself (the faces there are not one fan): {}; "
-                    "split the mesh there, one copy of the vertex for each fan",
+                    "split the mesh there, or let circle_patterns --repair=safe do it",
                     Vertices(ids.size()), Ids(ids)));
   }
   if (!report.orientable) {
-    problems.push_back(fmt::format(
-        "the surface has only one side (it is not orientable), as shows at the edge between "
-        "vertices {}; cut it open into a two-sided surface",
-        Edge(one_sided_edge)));
+    problems.push_back(DescribeOneSided(one_sided_edge));
   }
   if (report.components > 1) {
     problems.push_back(fmt::format("{} components ({}); keep one of them in a file",
@@ -118,6 +118,13 @@ std::string TopologyLine(const PreflightReport& report) {
 
 }  // namespace
 
+std::string DescribeOneSided(std::pair<Index, Index> edge) {
+  return fmt::format(
+      "the surface has only one side (it is not orientable), as shows at the edge between vertices "
+      "{}; cut it open into a two-sided surface",
+      Edge(edge));
+}
+
 std::string DescribeProblems(const PreflightReport& report,
                              const std::vector<std::vector<Index>>& components,
                              std::pair<Index, Index> one_sided_edge) {
@@ -140,18 +147,67 @@ std::string PreflightReport::Text() const {
   text += Line(reoriented_faces, Faces(reoriented_faces.size()) + " turned around");
   text += Line(duplicate_vertices,
                Vertices(duplicate_vertices.size()) + " where an earlier one lies (left apart)");
-  text += Line(non_finite_vertices, Vertices(non_finite_vertices.size()) + " not finite");
-  text += Line(repeated_vertex_faces,
-               Faces(repeated_vertex_faces.size()) + " with the same vertex twice");
-  text += Line(zero_area_faces, Faces(zero_area_faces.size()) + " of zero area");
-  if (!non_manifold_edges.empty()) {
-    text +=
-        fmt::format("{} with more than two faces: {}\n",
-                    Count(non_manifold_edges.size(), "edge", "edges"), Edges(non_manifold_edges));
-  }
-  text += Line(non_manifold_vertices,
-               Vertices(non_manifold_vertices.size()) + " where the surface touches itself");
   return text;
+}
+
+Index RepairSummary::num_set_aside() const {
+  return static_cast<Index>(zero_area_faces.size() + repeated_vertex_faces.size() +
+                            duplicate_faces.size());
+}
+
+bool RepairSummary::ChangesNothing() const {
+  return num_set_aside() == 0 && welded_vertices.empty() && split_vertices.empty() &&
+         split_edges.empty();
+}
+
+std::string RepairSummary::Text() const {
+  const std::string repair = "repair      ", seen = "note        ";
+  std::string text;
+  text += Line(welded_vertices,
+               repair + Vertices(welded_vertices.size()) + " welded to an earlier one");
+  text += Line(zero_area_faces, repair + Faces(zero_area_faces.size()) + " of no area set aside");
+  text += Line(repeated_vertex_faces, repair + Faces(repeated_vertex_faces.size()) +
+                                          " of fewer than three vertices set aside");
+  text += Line(duplicate_faces, repair + Faces(duplicate_faces.size()) + " set aside, since " +
+                                    "an earlier one has the same vertices");
+  if (!split_edges.empty()) {
+    text += fmt::format("{}{} of more than two faces opened: {}\n", repair,
+                        Count(split_edges.size(), "edge", "edges"), Edges(split_edges));
+  }
+  text += Line(split_vertices, repair + Vertices(split_vertices.size()) +
+                                   " split, where the surface touched itself");
+  text += Line(t_junctions, seen + Count(t_junctions.size(), "T-junction", "T-junctions") +
+                                ", boundary vertices inside another boundary edge, left");
+  if (coincident_edges > 0) {
+    text += fmt::format(
+        "{}{} where others do: the mesh is not welded there; --repair=weld joins "
+        "it\n",
+        seen, Count(coincident_edges, "boundary edge lies", "boundary edges lie"));
+  }
+  return text;
+}
+
+StatusOr<RepairOptions> ParseRepair(const std::string& text) {
+  RepairOptions options;
+  const std::size_t colon = text.find(':');
+  const auto mode = FromWord<RepairMode>(text.substr(0, colon));
+  const auto refuse = [&] {
+    return Status::InvalidInput(fmt::format(
+        "repair = '{}' is not one of {} or weld:TOLERANCE, from 1e-12 to 1 of the bounding box",
+        text, Join(WordsOf<RepairMode>())));
+  };
+  if (!mode) return refuse();
+  options.mode = *mode;
+  if (colon == std::string::npos) return options;
+  const std::string number = text.substr(colon + 1);
+  const char* const last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, options.tolerance);
+  const bool in_range =
+      options.tolerance == 0 || (options.tolerance >= 1e-12 && options.tolerance <= 1);
+  if (*mode != RepairMode::kWeld || error != std::errc() || end != last || !in_range) {
+    return refuse();
+  }
+  return options;
 }
 
 }  // namespace cirque

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -70,19 +71,48 @@ bool FaceOneWay(const Points& point, const PolygonTriangles& triangles) {
   });
 }
 
-/// The fan of the first corner whose triangles have an area and face one way; where there is none
-/// (a polygon that is not convex, or has points on straight sides) ears; where there are none (it
-/// crosses itself, or is bent) the first fan whose triangles have an area. Empty: there is none.
-PolygonTriangles FindSplit(const Points& point) {
-  PolygonTriangles first;
+double LargestSharpness(const Points& point, const PolygonTriangles& triangles) {
+  double sharpness = -1;
+  for (const auto& t : triangles) {
+    sharpness = std::max(sharpness, Sharpness(point[t[0]], point[t[1]], point[t[2]]));
+  }
+  return sharpness;
+}
+
+/// The best of the fans whose triangles have an area: one that faces one way, of these the one with
+/// the largest least angle, of these the one about the corner of least coordinates. Empty: none.
+PolygonTriangles BestFan(const Points& point) {
+  PolygonTriangles best;
+  std::tuple<bool, double> best_key;
+  std::size_t best_apex = 0;
   for (std::size_t apex = 0; apex < point.size(); ++apex) {
     PolygonTriangles fan = Fan(point.size(), apex);
     if (HasZeroArea(point, fan)) continue;
-    if (FaceOneWay(point, fan)) return fan;
-    if (first.empty()) first = std::move(fan);
+    const std::tuple<bool, double> key(!FaceOneWay(point, fan), LargestSharpness(point, fan));
+    const bool better = best.empty() || key < best_key ||
+                        (key == best_key && ComesBefore(point[apex], point[best_apex]));
+    if (!better) continue;
+    best = std::move(fan);
+    best_key = key;
+    best_apex = apex;
   }
+  return best;
+}
+
+/// A quad along its better diagonal; other polygons by ears, or by a fan where there are none (a
+/// polygon that crosses itself, or is bent).
+PolygonTriangles FindSplit(const Points& point) {
+  if (point.size() > 4) {
+    PolygonTriangles ears = CutEars(point);
+    if (!ears.empty() && !HasZeroArea(point, ears)) return ears;
+  }
+  return BestFan(point);
+}
+
+/// The same of a polygon that has a vertex more than once: a keyhole. Fans know nothing of those.
+PolygonTriangles FindKeyholeSplit(const Points& point) {
   PolygonTriangles ears = CutEars(point);
-  return !ears.empty() && !HasZeroArea(point, ears) ? ears : first;
+  return HasZeroArea(point, ears) ? PolygonTriangles() : ears;
 }
 
 /// What is known of a polygon before it is split.
@@ -95,8 +125,12 @@ Judgement Judge(const PolygonSoup& soup, Corners corners) {
   Judgement judgement;
   judgement.repeats_vertex = RepeatsVertex(corners);
   const auto finite = [&](Index v) { return soup.position[v].allFinite(); };
-  const bool is_finite = std::all_of(corners.begin(), corners.end(), finite);
-  if (judgement.repeats_vertex || !is_finite) return judgement;
+  if (!std::all_of(corners.begin(), corners.end(), finite)) return judgement;
+  if (judgement.repeats_vertex) {
+    judgement.triangles = FindKeyholeSplit(PointsOf(soup, corners));
+    judgement.repeats_vertex = judgement.triangles.empty();
+    return judgement;
+  }
   if (corners.size() == 3) {
     judgement.has_area = !IsZeroArea(soup.position[corners[0]], soup.position[corners[1]],
                                      soup.position[corners[2]]);
@@ -109,14 +143,15 @@ Judgement Judge(const PolygonSoup& soup, Corners corners) {
 
 /// Appends the triangles and glues them along the diagonals: two triangles of one polygon that
 /// share the places of an edge.
-void Append(Corners corners, const PolygonTriangles& parts, Index polygon,
+void Append(const PolygonSoup& soup, const PolygonTriangles& parts, Index polygon,
             TriangleSoup* triangles) {
   std::map<std::pair<Index, Index>, Index> open;  // places of an edge -> its halfedge
   for (const std::array<Index, 3>& part : parts) {
     const auto first = static_cast<Index>(triangles->vertex.size());
     triangles->polygon.push_back(polygon);
     for (Index k = 0; k < 3; ++k) {
-      triangles->vertex.push_back(corners[part[k]]);
+      triangles->corner.push_back(soup.first_corner[polygon] + part[k]);
+      triangles->vertex.push_back(soup.corner[triangles->corner.back()]);
       triangles->mate.push_back(kNone);
     }
     if (parts.size() == 1) return;
@@ -144,6 +179,7 @@ TriangleSoup SplitIntoTriangles(const PolygonSoup& soup, BadFaces* bad) {
   TriangleSoup triangles;
   triangles.vertex.reserve(soup.corner.size());
   triangles.mate.reserve(soup.corner.size());
+  triangles.corner.reserve(soup.corner.size());
   triangles.polygon.reserve(soup.num_polygons());
   const PolygonTriangles whole = Fan(3, 0);
   std::vector<Judgement> judgements;
@@ -161,13 +197,14 @@ TriangleSoup SplitIntoTriangles(const PolygonSoup& soup, BadFaces* bad) {
       }
       if (!judgement.has_area) bad->zero_area.push_back(begin + i);
       if (corners.size() == 3) {
-        Append(corners, whole, begin + i, &triangles);
+        Append(soup, whole, begin + i, &triangles);
       } else {
-        Append(corners, judgement.triangles.empty() ? Fan(corners.size(), 0) : judgement.triangles,
+        Append(soup, judgement.triangles.empty() ? Fan(corners.size(), 0) : judgement.triangles,
                begin + i, &triangles);
       }
     }
   }
+  RaiseValences(soup, &triangles);
   return triangles;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -26,40 +27,183 @@ EdgeLengths MeasureEdgeLengths(const Surface& surface) {
 
 namespace {
 
+using Uv = Eigen::Vector2d;
+
+/// The UV of every corner of the input, null where no surface has it, and the polygons whose
+/// triangles do not agree on one.
+struct CornerSources {
+  std::vector<const Uv*> uv;
+  std::vector<bool> torn;
+};
+
+CornerSources FindSources(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces) {
+  CornerSources sources{std::vector<const Uv*>(input.corner.size(), nullptr),
+                        std::vector<bool>(input.num_polygons(), false)};
+  for (const auto& [surface, uv] : surfaces) {
+    CHECK_EQ(uv.value.size(), surface.triangulation.vertex.size());
+    for (std::size_t h = 0; h < uv.value.size(); ++h) {
+      const Uv*& source = sources.uv[surface.soup_corner[h]];
+      if (source == nullptr) source = &uv.value[h];
+      if (*source != uv.value[h]) sources.torn[surface.soup_polygon[h / 3]] = true;
+    }
+  }
+  return sources;
+}
+
+/// What the corners of a polygon get that has them in part: that of its corner at the same vertex,
+/// else of the one before.
+void CompletePolygon(const PolygonSoup& input, Index p, std::vector<const Uv*>* uv) {
+  const Index first = input.first_corner[p], size = input.first_corner[p + 1] - first;
+  const auto begin = uv->begin() + first;
+  const std::vector<const Uv*> known(begin, begin + size);
+  for (Index i = 0; i < size; ++i) {
+    if (known[i] != nullptr) continue;
+    for (Index back = 1; back < size && begin[i] == nullptr; ++back) {
+      begin[i] = known[(i + size - back) % size];
+    }
+    for (Index j = 0; j < size; ++j) {
+      const bool same = input.corner[first + i] == input.corner[first + j];
+      if (same && known[j] != nullptr) begin[i] = known[j];
+    }
+  }
+}
+
+/// What the corners that no surface has get; `nowhere` where nothing is near.
+void Complete(const PolygonSoup& input, const Uv* nowhere, std::vector<const Uv*>* uv) {
+  std::vector<const Uv*> at_vertex(input.position.size(), nullptr);
+  for (std::size_t c = 0; c < uv->size(); ++c) {
+    const Uv*& known = at_vertex[input.corner[c]];
+    if (known == nullptr) known = (*uv)[c];
+  }
+  const auto is_null = [](const auto* known) { return known == nullptr; };
+  for (Index p = 0; p < input.num_polygons(); ++p) {
+    const auto begin = uv->begin() + input.first_corner[p];
+    const auto end = uv->begin() + input.first_corner[p + 1];
+    if (std::none_of(begin, end, is_null)) continue;
+    if (!std::all_of(begin, end, is_null)) {
+      CompletePolygon(input, p, uv);
+      continue;
+    }
+    const Uv* place = nowhere;
+    for (Index c = input.first_corner[p]; c < input.first_corner[p + 1]; ++c) {
+      if (place == nowhere && !is_null(at_vertex[input.corner[c]])) {
+        place = at_vertex[input.corner[c]];
+      }
+    }
+    std::fill(begin, end, place);
+  }
+}
+
+/// A soup that grows, with the UV that each of its corners gets.
+struct GrowingSoup {
+  PolygonSoup soup;
+  std::vector<const Uv*> uv;
+
+  void AddCorner(Index vertex, const Uv* at) {
+    soup.corner.push_back(vertex);
+    uv.push_back(at);
+  }
+  void EndPolygon() { soup.first_corner.push_back(static_cast<Index>(soup.corner.size())); }
+};
+
+using TornFaces = std::map<Index, std::vector<std::pair<const MappedSurface*, Index>>>;
+
+/// The triangles of every polygon that is torn.
+TornFaces CollectTorn(const std::vector<MappedSurface>& surfaces, const std::vector<bool>& torn) {
+  TornFaces faces;
+  if (std::find(torn.begin(), torn.end(), true) == torn.end()) return faces;
+  for (const MappedSurface& mapped : surfaces) {
+    for (Index f = 0; f < mapped.surface.triangulation.num_faces(); ++f) {
+      const Index p = mapped.surface.soup_polygon[f];
+      if (torn[p]) faces[p].emplace_back(&mapped, f);
+    }
+  }
+  return faces;
+}
+
+GrowingSoup WithoutTexture(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces,
+                           const CornerSources& sources) {
+  GrowingSoup grown;
+  grown.soup.position = input.position;
+  grown.soup.corner.reserve(input.corner.size());
+  grown.uv.reserve(input.corner.size());
+  const TornFaces torn = CollectTorn(surfaces, sources.torn);
+  for (Index p = 0; p < input.num_polygons(); ++p) {
+    if (const auto found = torn.find(p); found != torn.end()) {
+      for (const auto& [mapped, f] : found->second) {
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          grown.AddCorner(input.corner[mapped->surface.soup_corner[h]], &mapped->uv.value[h]);
+        }
+        grown.EndPolygon();
+      }
+      continue;
+    }
+    for (Index c = input.first_corner[p]; c < input.first_corner[p + 1]; ++c) {
+      grown.AddCorner(input.corner[c], sources.uv[c]);
+    }
+    grown.EndPolygon();
+  }
+  return grown;
+}
+
 /// Gives the corners [first, last) of one vertex their texture coordinates, one for each different
 /// UV.
-void AttachAtVertex(const CornerUv& uv, std::vector<Index>::iterator first,
-                    std::vector<Index>::iterator last, PolygonSoup* soup) {
-  const auto key = [&](Index corner) {
-    return std::tuple(uv.value[corner].x(), uv.value[corner].y(), corner);
-  };
+void AttachAtVertex(std::vector<Index>::iterator first, std::vector<Index>::iterator last,
+                    GrowingSoup* grown) {
+  const auto at = [&](Index corner) -> const Uv& { return *grown->uv[corner]; };
+  const auto key = [&](Index corner) { return std::tuple(at(corner).x(), at(corner).y(), corner); };
   std::sort(first, last, [&](Index a, Index b) { return key(a) < key(b); });
+  PolygonSoup& soup = grown->soup;
   for (auto corner = first; corner != last; ++corner) {
-    if (corner == first || uv.value[*corner] != uv.value[*(corner - 1)]) {
-      soup->texture.push_back(uv.value[*corner]);
-    }
-    soup->corner_texture[*corner] = static_cast<Index>(soup->texture.size()) - 1;
+    if (corner == first || at(*corner) != at(*(corner - 1))) soup.texture.push_back(at(*corner));
+    soup.corner_texture[*corner] = static_cast<Index>(soup.texture.size()) - 1;
   }
 }
 
 }  // namespace
 
-PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const CornerUv& uv) {
-  const Triangulation& t = surface.triangulation;
-  CHECK_EQ(uv.value.size(), t.vertex.size());
-  PolygonSoup soup;
-  soup.position = input.position;
-  soup.first_corner.resize(t.num_faces() + 1);
-  for (Index f = 0; f <= t.num_faces(); ++f) soup.first_corner[f] = 3 * f;
-  soup.corner.reserve(t.vertex.size());
-  for (const Index v : t.vertex) soup.corner.push_back(surface.soup_vertex[v]);
-  soup.corner_texture.resize(t.vertex.size());
-  Buckets corners_at = SortIntoBuckets(t.vertex, t.num_vertices);
-  for (Index v = 0; v < t.num_vertices; ++v) {
-    AttachAtVertex(uv, corners_at.item.begin() + corners_at.first[v],
-                   corners_at.item.begin() + corners_at.first[v + 1], &soup);
+PolygonSoup AttachUv(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces) {
+  const Uv nowhere = Uv::Zero();
+  CornerSources sources = FindSources(input, surfaces);
+  Complete(input, &nowhere, &sources.uv);
+  GrowingSoup grown = WithoutTexture(input, surfaces, sources);
+  PolygonSoup& soup = grown.soup;
+  soup.corner_texture.resize(soup.corner.size());
+  Buckets corners_at = SortIntoBuckets(soup.corner, static_cast<Index>(soup.position.size()));
+  for (std::size_t v = 0; v < soup.position.size(); ++v) {
+    AttachAtVertex(corners_at.item.begin() + corners_at.first[v],
+                   corners_at.item.begin() + corners_at.first[v + 1], &grown);
   }
-  return soup;
+  return std::move(grown.soup);
+}
+
+std::vector<Eigen::Vector2d> UvOfCorners(const PolygonSoup& input,
+                                         const std::vector<MappedSurface>& surfaces) {
+  const Uv nowhere = Uv::Zero();
+  CornerSources sources = FindSources(input, surfaces);
+  Complete(input, &nowhere, &sources.uv);
+  std::vector<Eigen::Vector2d> uv;
+  uv.reserve(sources.uv.size());
+  for (const Uv* const source : sources.uv) uv.push_back(*source);
+  return uv;
+}
+
+PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const CornerUv& uv) {
+  return AttachUv(input, {{surface, uv}});
+}
+
+std::vector<bool> EdgesInsidePolygons(const Surface& surface) {
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index>& corner = surface.soup_corner;
+  std::vector<bool> inside(t.num_edges(), false);
+  if (corner.empty()) return inside;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e], g = t.twin[h];
+    if (g == kNone || corner[h] == kNone) continue;
+    inside[e] = corner[Triangulation::Next(h)] == corner[Triangulation::Prev(g)] &&
+                corner[Triangulation::Prev(h)] == corner[Triangulation::Next(g)];
+  }
+  return inside;
 }
 
 PolygonSoup TrianglesOf(const Surface& surface) {

@@ -1,61 +1,16 @@
 #include "cirque/metrics/injectivity.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/image_overlap.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
-namespace {
 
 using Eigen::Vector3d;
-
-struct Segment {
-  Index halfedge, tail, tip;
-  Eigen::Vector2d a, b;
-
-  double MinX() const { return std::min(a.x(), b.x()); }
-  double MaxX() const { return std::max(a.x(), b.x()); }
-  double MinY() const { return std::min(a.y(), b.y()); }
-  double MaxY() const { return std::max(a.y(), b.y()); }
-};
-
-bool BoxesMeet(const Segment& s, const Segment& t) {
-  return s.MinX() <= t.MaxX() && t.MinX() <= s.MaxX() && s.MinY() <= t.MaxY() &&
-         t.MinY() <= s.MaxY();
-}
-
-/// How two closed segments lie to each other.
-BoundaryContact Contact(const Segment& s, const Segment& t) {
-  if (!BoxesMeet(s, t)) return BoundaryContact::kApart;
-  const int of_t = OrientationSign(s.a, s.b, t.a) * OrientationSign(s.a, s.b, t.b);
-  if (of_t > 0) return BoundaryContact::kApart;
-  const int of_s = OrientationSign(t.a, t.b, s.a) * OrientationSign(t.a, t.b, s.b);
-  if (of_s > 0) return BoundaryContact::kApart;
-  return of_t < 0 && of_s < 0 ? BoundaryContact::kCrossing : BoundaryContact::kTouch;
-}
-
-bool ShareVertex(const Segment& s, const Segment& t) {
-  return s.tail == t.tail || s.tail == t.tip || s.tip == t.tail || s.tip == t.tip;
-}
-
-std::vector<Segment> BoundarySegments(const Triangulation& t, const CornerUv& uv) {
-  std::vector<Segment> segments;
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    if (t.twin[h] != kNone) continue;
-    segments.push_back({h, t.Tail(h), t.Tip(h), uv.value[Triangulation::Next(h)],
-                        uv.value[Triangulation::Prev(h)]});
-  }
-  std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& r) {
-    return std::pair(s.MinX(), s.halfedge) < std::pair(r.MinX(), r.halfedge);
-  });
-  return segments;
-}
-
-}  // namespace
 
 std::vector<Index> FlippedFaces(const Triangulation& t, const CornerUv& uv) {
   std::vector<Index> flipped;
@@ -73,20 +28,12 @@ std::vector<Index> FlippedFacesInFloat32(const Triangulation& t, const CornerUv&
   return FlippedFaces(t, rounded);
 }
 
-BoundaryContact FindBoundaryContact(const Triangulation& t, const CornerUv& uv) {
-  BoundaryContact strongest = BoundaryContact::kApart;
-  std::vector<const Segment*> active;
-  const std::vector<Segment> segments = BoundarySegments(t, uv);
-  for (const Segment& segment : segments) {
-    std::erase_if(active, [&](const Segment* s) { return s->MaxX() < segment.MinX(); });
-    for (const Segment* other : active) {
-      if (ShareVertex(*other, segment)) continue;
-      strongest = std::max(strongest, Contact(*other, segment));
-      if (strongest == BoundaryContact::kCrossing) return strongest;
-    }
-    active.push_back(&segment);
+bool OverlapsItself(const Triangulation& t, const CornerUv& uv) {
+  std::vector<Index> twin(t.twin.size(), kNone);  // side h from corner h to the next
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    if (t.twin[h] != kNone) twin[Triangulation::Next(h)] = Triangulation::Next(t.twin[h]);
   }
-  return strongest;
+  return FindImageOverlap({uv.value, twin}).overlaps();
 }
 
 std::vector<Index> FlippedSphericalFaces(const Triangulation& t,

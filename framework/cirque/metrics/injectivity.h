@@ -16,16 +16,10 @@ std::vector<Index> FlippedFaces(const Triangulation& triangulation, const Corner
 /// The same once the coordinates are rounded to 32-bit floats, as many programs read them.
 std::vector<Index> FlippedFacesInFloat32(const Triangulation& triangulation, const CornerUv& uv);
 
-/// How boundary edges that share no vertex lie in the image.
-enum class BoundaryContact {
-  kApart,    ///< a map of a disk without flips is then injective
-  kTouch,    ///< some touch or run along each other, none cross: opened seams can do so
-  kCrossing  ///< some cross, so the image overlaps itself
-};
-
-/// The strongest contact, by exact arithmetic. Sorts by x and prunes: O(n log n) for n boundary
-/// edges of which few lie one above the other, O(n^2) at worst.
-BoundaryContact FindBoundaryContact(const Triangulation& triangulation, const CornerUv& uv);
+/// Whether the image covers some points more than once, exactly (math/image_overlap.h); touching is
+/// no overlap. @pre no face is flipped, the faces round every inner vertex turn once; `triangulation`
+/// is the surface opened along its cut.
+bool OverlapsItself(const Triangulation& triangulation, const CornerUv& uv);
 
 /// The flipped triangles of a map to the sphere: the faces whose three points a, b, c do not turn
 /// counter-clockwise as seen from outside, det[a, b, c] > 0, by exact arithmetic on the coordinates

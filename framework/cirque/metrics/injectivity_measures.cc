@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/overlap_geometry.h"
 #include "cirque/metrics/measures.h"
-#include "cirque/metrics/overlap_geometry.h"
 
 namespace cirque {
 namespace {

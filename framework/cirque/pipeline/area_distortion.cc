@@ -62,20 +62,32 @@ struct AreaRatios {
     return weighted - weighted.sum() * image;
   }
 
+  /// u about its mean.
+  Eigen::VectorXd LogScale() const {
+    const Eigen::VectorXd u = 0.5 * log_ratio;
+    return u.array() - source.dot(u);
+  }
+
+  double Norm(int power) const {
+    return source.dot(LogScale().array().abs().pow(power).matrix()) / power;
+  }
+
+  /// The norm's, by the logarithm of each face's flat area.
+  Eigen::VectorXd NormGradient(int power) const {
+    const Eigen::ArrayXd u = LogScale().array();
+    const Eigen::VectorXd by_u = (source.array() * u.abs().pow(power - 2) * u).matrix();
+    return 0.5 * (by_u - by_u.sum() * source);
+  }
+
   Eigen::VectorXd source, image, log_ratio;
 };
-
-/// dphi_h / dtheta* at fixed d = rho_i - rho_j: (e^-d + cos theta*) / (2 cosh d + 2 cos theta*).
-double ShareOfTheta(double d, double theta_star) {
-  if (d < 0) return 1 - ShareOfTheta(-d, theta_star);
-  const double decay = std::exp(-d), cosine = std::cos(theta_star);
-  return decay * (decay + cosine) / (1 + 2 * decay * cosine + decay * decay);
-}
 
 /// The two adjoint solves.
 class Adjoint {
  public:
-  Adjoint(const FlatSurface& flat, const ConeTargets& targets, const AngleObjective& objective)
+  /// `by_area`: of what by the logarithm of each face's flat area.
+  Adjoint(const FlatSurface& flat, const ConeTargets& targets, const AngleObjective& objective,
+          const Eigen::VectorXd& by_area)
       : flat_(flat),
         t_(flat.intrinsic.triangulation),
         constraints_(t_, targets),
@@ -83,7 +95,6 @@ class Adjoint {
         reference_(SourceAngles(flat)),
         by_phi_(t_.num_halfedges()),
         by_rho_(t_.num_faces()) {
-    const Eigen::VectorXd by_area = AreaRatios(flat, reference_).Gradient();
     const CornerAngles phi = FlatCornerAngles(t_, flat.angles, flat.log_radii);
     by_rho_ = 2 * by_area;
     for (Index h = 0; h < t_.num_halfedges(); ++h) {
@@ -142,7 +153,8 @@ class Adjoint {
       q[h] = of_h;
       if (g == kNone) continue;
       const double of_g = by_phi_[g] + 2 * lambda[Triangulation::Face(g)];
-      const double share = ShareOfTheta(LogRatio(h), flat_.angles.value[h] + flat_.angles.value[g]);
+      const double share =
+          HalfAngleByThetaStar(LogRatio(h), flat_.angles.value[h] + flat_.angles.value[g]);
       q[h] = q[g] = share * of_h + (1 - share) * of_g;
     }
     return q;
@@ -196,7 +208,31 @@ double AreaDistortion(const FlatSurface& flat) {
 
 Eigen::VectorXd AreaDistortionGradient(const FlatSurface& flat, const ConeTargets& targets,
                                        const AngleObjective& objective) {
-  return Adjoint(flat, targets, objective).Run();
+  const Eigen::VectorXd by_area = AreaRatios(flat, SourceAngles(flat)).Gradient();
+  return Adjoint(flat, targets, objective, by_area).Run();
+}
+
+double LogScaleNorm(const FlatSurface& flat, int power) {
+  return AreaRatios(flat, SourceAngles(flat)).Norm(power);
+}
+
+Eigen::VectorXd LogScaleNormGradient(const FlatSurface& flat, const ConeTargets& targets,
+                                     const AngleObjective& objective, int power) {
+  const Eigen::VectorXd by_area = AreaRatios(flat, SourceAngles(flat)).NormGradient(power);
+  return Adjoint(flat, targets, objective, by_area).Run();
+}
+
+Eigen::VectorXd VertexLogScale(const FlatSurface& flat) {
+  const AreaRatios ratios(flat, SourceAngles(flat));
+  const Eigen::VectorXd u = ratios.LogScale();
+  const Triangulation& t = flat.intrinsic.triangulation;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.num_vertices), area = sum;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index f = Triangulation::Face(h);
+    sum[t.vertex[h]] += ratios.source[f] * u[f];
+    area[t.vertex[h]] += ratios.source[f];
+  }
+  return sum.cwiseQuotient(area);
 }
 
 }  // namespace cirque

@@ -8,37 +8,58 @@
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
+#include "cirque/mesh/preflight.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/summaries.h"
 
 namespace cirque {
+
+/// What a certificate says of a map's overlap: no point of the plane is covered twice, or some are.
+inline constexpr char kInjective[] = "injective";
+inline constexpr char kOverlaps[] = "boundary_overlaps";
 
 /// The evidence that a run leaves behind: what its stages tell of themselves. Nothing in it steers
 /// the program. docs/certificate.md is its reference.
 struct Certificate {
   std::string outcome = "not_run";  ///< ToString(StatusCode), or kInaccurate
   std::string message;              ///< why, when the outcome is not ok
-  /// "injective"; "boundary_touches": no two boundary edges (seams opened) cross, but some touch,
-  /// which verify_map can tell from overlaps; "boundary_overlaps"; "unknown"
+  /// kInjective or kOverlaps, exactly; "unknown" where triangles are flipped
   std::string overlap = "unknown";
 
   std::optional<TriangulationSummary> triangulation;
+  std::optional<RetriangulationSummary> retriangulation;
   std::optional<AngleFitSummary> angle_fit;
   std::optional<RadiiSummary> radii;
+  std::optional<EquivalenceSummary> equivalence;
+  std::optional<RotationSummary> rotations;
+  std::optional<HolonomySummary> holonomy;
   std::optional<ConeBudgetSummary> cone_budget;
+  std::optional<ConeRoundingSummary> cone_rounding;
   std::optional<ConeRepairSummary> cone_repair;
   std::optional<LadderSummary> ladder;
+  std::optional<BoundarySummary> boundary;
+  std::optional<InjectivitySummary> injectivity;
   std::optional<ConeRefinementSummary> cone_refinement;
   std::optional<LayoutSummary> layout;
   std::optional<SeamSummary> seams;
+  std::optional<DecimatedSolveSummary> decimated_solve;
   std::optional<MapRefinementSummary> map_refinement;
   std::optional<DistortionSummary> distortion;
+  std::optional<ExactMapSummary> exact_map;
   std::optional<SphereSummary> sphere;
   std::optional<DiskSummary> disk;
   std::optional<HalfPlaneSummary> half_plane;
   std::optional<PolygonSummary> polygon;
+  std::optional<PeriodicSummary> periodic;
+  std::optional<AtlasSummary> atlas;
   std::optional<ProcessSummary> process;
   StageSeconds seconds;
+
+  std::optional<RepairSummary> mesh_repair;   ///< where something was done to the mesh
+  std::optional<ComponentSummary> component;  ///< of one of several: which
+  /// Of a mesh of several components a certificate of each, in the order of their first faces. What
+  /// stands beside them then is about all of them (SummarizeComponents).
+  std::vector<Certificate> components;
 
   /// With outcome infeasible. Vertices and faces are numbered as in the input file, from 0.
   InfeasibilityCertificate infeasibility;
@@ -60,9 +81,13 @@ inline void AddSeconds(const Timer& timer, std::optional<double>* seconds) {
 
 /// The outcome of a map without flips that doubles do not hold to kAccuracy: laid out edges that
 /// miss their lengths or directions by more, or seams with two sides of different length. It is
-/// written, and is not ok.
+/// written, and is not ok. A map to the sphere, disk, half-plane or a polygon that a refinement of
+/// the whole brought to rest does not depend on its layout any more.
 inline constexpr char kInaccurate[] = "inaccurate";
 inline constexpr double kAccuracy = 1e-8;
+/// [rad]: rotations that miss the multiples asked for (ParameterizeOptions::holonomy) by more make a map
+/// inaccurate, too.
+inline constexpr double kRotationAccuracy = 1e-10;
 
 /// What of a layout misses kAccuracy, for people; empty: nothing.
 std::string Inaccuracy(const Certificate& certificate);
@@ -72,6 +97,10 @@ Status Conclude(const Status& status, const Timer& timer, Certificate* certifica
 
 /// Renumbers the proof's vertices as the input file has them.
 void NumberAsInFile(const Surface& surface, InfeasibilityCertificate* proof);
+
+/// Names the proof's triangles by the file's faces, and its carrying faces too. Of a proof about
+/// other triangles than the surface's (finer ones): nothing.
+void NameTriangles(const Surface& surface, InfeasibilityCertificate* proof);
 
 /// What a certificate's JSON says of its own form: "schema" and "version" (docs/certificate.md).
 inline constexpr char kCertificateSchema[] = "cirque-certificate";
@@ -89,8 +118,8 @@ struct CertificateField {
   std::string Label() const { return unit.empty() ? meaning : meaning + " [" + unit + "]"; }
 };
 
-/// The numbers, in the order of the stages, but for the family corner_vertex_0, corner_vertex_1,
-/// ...
+/// The numbers, in the order of the stages, but for the families corner_vertex_0, corner_vertex_1,
+/// ..., rotation_0, ... and boundary_turn_0, ...
 const std::vector<CertificateField>& CertificateFields();
 
 /// The times of stages, in the order of the stages.

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "cirque/cones/cone.h"
+#include "cirque/cones/cone_problem.h"
 #include "cirque/core/infeasibility.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
@@ -18,11 +21,16 @@
 namespace cirque {
 
 /// Interior vertices flat, boundary vertices free. A closed surface: as many cones as those of
-/// SimpleConeTargets, moved by `moving:measure=angle`; where there are no such, as many as
-/// Gauss-Bonnet needs, by `greedy`. A torus: none, or 8 moved cones where without them its area
+/// SimpleConeTargets, or as many more as one chart needs (ConesForOneChart), moved by
+/// `moving:measure=angle`; where there are no such, as many as Gauss-Bonnet needs, by `greedy`. A torus: none, or 8 moved cones where without them its area
 /// would range over more than e^4, and with them over e to at most .8 of that, as the linear model
 /// predicts.
 StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface);
+
+/// The least of count, 2 count, 4 count, ... cones by `greedy` with which the linear model predicts
+/// areas to range over no more than e^28, beyond which doubles leave the smallest triangles of one
+/// chart fewer than 8 digits; at most 512 or a sixteenth of the vertices, unless `count` is more.
+int ConesForOneChart(const IntrinsicSurface& surface, int count);
 
 /// The targets that the options' cone heuristic chooses, sought on the metric's intrinsic Delaunay
 /// connectivity, with the angles the options ask for; DefaultTargets when they name no heuristic.
@@ -32,6 +40,23 @@ StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface);
 /// exceeded.
 StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
                                  const ParameterizeOptions& options);
+
+/// The cones that the options' heuristic chooses in a problem, with the angles that the options ask
+/// for, and with more cones where those leave no multiples that add up. Errors as of PlaceCones.
+StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
+                                        const ParameterizeOptions& options);
+
+/// PlaceCones for rotations that are multiples (ParameterizeOptions::holonomy): cones with angles
+/// of such multiples, on a closed surface moved by SeamlessSearch to where the rotations are near
+/// multiples. The linear model that predicts them errs by up to .1 rad: the surface is made flat
+/// with the cones, and where the finished rotations miss by more than .02 rad, which the angles
+/// then would close at a price, the cones are moved once more for predictions that are right where
+/// they were, at most four times; those that miss least are returned. Cones of a file, and those of
+/// a surface with a boundary, whose free angles close any rotation, stay where the heuristic puts
+/// them. The summary says what was done.
+StatusOr<ConeTargets> PlaceSeamlessCones(const IntrinsicSurface& surface, const FileVertices& file,
+                                         const ParameterizeOptions& options,
+                                         const SolveControl& control, HolonomySummary* summary);
 
 /// What a repair did.
 struct ConeRepair {
@@ -80,5 +105,16 @@ double AreaDistortion(const FlatSurface& flat);
 /// `targets` are those of flat's triangulation, single angles; `objective` is that of the fit.
 Eigen::VectorXd AreaDistortionGradient(const FlatSurface& flat, const ConeTargets& targets,
                                        const AngleObjective& objective);
+
+/// 1/p sum_f a_f |u_f|^p of a flat surface, u_f = x_f / 2 about its mean by area, x_f and a_f as in
+/// AreaDistortion: for p = 2 half the square of log_scale_l2, for large p a smooth log_scale_max, there.
+double LogScaleNorm(const FlatSurface& flat, int power);
+
+/// Its derivative by every angle sum, as AreaDistortionGradient.
+Eigen::VectorXd LogScaleNormGradient(const FlatSurface& flat, const ConeTargets& targets,
+                                     const AngleObjective& objective, int power);
+
+/// V: those u_f in the mean around every vertex, by area.
+Eigen::VectorXd VertexLogScale(const FlatSurface& flat);
 
 }  // namespace cirque

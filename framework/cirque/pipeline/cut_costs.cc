@@ -63,16 +63,12 @@ StatusOr<Eigen::VectorXd> CutCosts(const IntrinsicSurface& surface, const EdgeLe
 
 double RelativeCutLength(const IntrinsicSurface& surface, const Cut& cut) {
   if (cut.IsEmpty()) return 0;
-  const auto& [t, lengths, angles, boundary, corners] = surface;
-  double area = 0, length = 0;
-  for (Index f = 0; f < t.num_faces(); ++f) {
-    area += 0.5 * lengths.value[t.edge[3 * f]] * lengths.value[t.edge[3 * f + 1]] *
-            std::sin(angles.value[3 * f + 2]);
-  }
+  const Triangulation& t = surface.triangulation;
+  double length = 0;
   for (Index e = 0; e < t.num_edges(); ++e) {
-    if (cut.edge[e] && !t.IsBoundaryEdge(e)) length += lengths.value[e];
+    if (cut.edge[e] && !t.IsBoundaryEdge(e)) length += surface.lengths.value[e];
   }
-  return length / std::sqrt(area);
+  return length / std::sqrt(SurfaceArea(surface));
 }
 
 }  // namespace cirque

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
 
 #include "cirque/core/option.h"
@@ -10,6 +11,7 @@
 #include "cirque/layout/refine_map.h"
 #include "cirque/layout/refine_patches.h"
 #include "cirque/layout/seams.h"
+#include "cirque/layout/stretch_energy.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/measure_map.h"
 
@@ -18,10 +20,13 @@ namespace {
 
 constexpr char kNoRefinement[] = "none";
 constexpr char kByPatches[] = "auto";
+constexpr double kStraight = 1e-12;  ///< [rad] by which a straight boundary's targets may miss pi
 
 struct Refinement {
-  std::optional<MapObjective> objective;  ///< none: by patches
+  std::optional<MapObjective> objective;
+  std::optional<StretchEnergy> stretch;  ///< neither: by patches
   RefineMapOptions whole;
+  RefineStretchOptions of_stretch;
   RefinePatchesOptions patches;
 };
 
@@ -35,6 +40,9 @@ StatusOr<Refinement> Parse(const std::string& refine_map) {
   Status status;
   if (named->name == kByPatches) {
     status = RefinePatchesOptionTable().Set(named->options, &refinement.patches);
+  } else if (const auto stretch = StretchEnergies().Find(named->name); stretch.ok()) {
+    refinement.stretch = *stretch;
+    status = RefineStretchOptionTable(stretch->blends).Set(named->options, &refinement.of_stretch);
   } else {
     const StatusOr<MapObjective> objective = MapObjectives().Find(named->name);
     if (!objective.ok()) {
@@ -65,14 +73,60 @@ std::vector<bool> HeldBoundary(const Triangulation& t, const ConeTargets& target
   return held;
 }
 
+/// Lets the straight vertices of a boundary loop between two that are held slide along the line
+/// between those.
+void SlideAlongSides(const Triangulation& t, const ConeTargets& targets, const CornerUv& uv,
+                     std::vector<Index> loop, KeptVertices* kept) {
+  const auto corner_of = [&](Index h) { return t.Tail(h); };
+  const auto straight = [&](Index h) {
+    const Index v = corner_of(h);
+    return targets.IsFixed(v) && std::abs(targets.lower[v] - kPi) <= kStraight;
+  };
+  const auto first = std::find_if_not(loop.begin(), loop.end(), straight);
+  if (first == loop.end()) return;
+  std::rotate(loop.begin(), first, loop.end());
+  loop.push_back(loop.front());
+  for (std::size_t begin = 0, end = 1; end < loop.size(); ++end) {
+    if (straight(loop[end])) continue;
+    const auto place = [&](Index h) {
+      const Eigen::Vector2d& p = uv.value[Triangulation::Next(h)];  // its tail
+      return std::complex<double>(p.x(), p.y());
+    };
+    const std::complex<double> side = place(loop[end]) - place(loop[begin]);
+    for (std::size_t k = begin + 1; k < end && std::abs(side) > 0; ++k) {
+      const Index v = corner_of(loop[k]);
+      kept->sliding.slides[v] = true;
+      kept->sliding.direction[v] = side / std::abs(side);
+      kept->held[v] = false;
+    }
+    begin = end;
+  }
+}
+
+KeptVertices KeepPrescribedBoundary(const Triangulation& t, const ConeTargets& targets,
+                                    const SeamReport& seams, const CornerUv& uv) {
+  KeptVertices kept{HeldBoundary(t, targets)};
+  if (!seams.seams.empty()) return kept;
+  kept.sliding.slides.assign(t.num_vertices, false);
+  kept.sliding.direction.assign(t.num_vertices, 1.0);
+  for (const std::vector<Index>& loop : BoundaryLoops(t)) {
+    SlideAlongSides(t, targets, uv, loop, &kept);
+  }
+  return kept;
+}
+
 /// Refines and tells of it. Errors: cancelled.
 Status Refine(const SeamedSurface& of, const Refinement& refinement,
               const std::atomic<bool>* cancelled, CornerUv* uv, MapRefinementSummary* summary) {
   MapRefinement done;
-  if (refinement.objective) {
-    const auto whole = RefineMap(of, *refinement.objective, refinement.whole, cancelled, uv);
+  if (refinement.objective || refinement.stretch) {
+    const auto whole =
+        refinement.stretch
+            ? RefineStretch(of, *refinement.stretch, refinement.of_stretch, cancelled, uv)
+            : RefineMap(of, *refinement.objective, refinement.whole, cancelled, uv);
     if (!whole.ok()) return whole.status();
     done = *whole;
+    summary->map_refinement_at_rest = done.at_rest ? 1 : 0;
   } else {
     const auto patches = RefineByPatches(of, refinement.patches, cancelled, uv);
     if (!patches.ok()) return patches.status();
@@ -91,16 +145,10 @@ Status Refine(const SeamedSurface& of, const Refinement& refinement,
 constexpr double kMultiple = 1e-12;  ///< [rad]: of targets, which are read with some digits
 constexpr double kRotation = 1e-6;   ///< [rad]: of seams, which carry the errors of a solve
 
-std::string ToString(BoundaryContact contact) {
-  switch (contact) {
-    case BoundaryContact::kApart:
-      return "injective";
-    case BoundaryContact::kTouch:
-      return "boundary_touches";
-    case BoundaryContact::kCrossing:
-      return "boundary_overlaps";
-  }
-  return "unknown";
+/// What is known of a map's overlap.
+std::string OverlapOf(const Triangulation& t, const Cut& cut, const CornerUv& uv) {
+  if (!FlippedFaces(t, uv).empty()) return "unknown";
+  return OverlapsItself(CutOpen(t, cut), uv) ? kOverlaps : kInjective;
 }
 
 }  // namespace
@@ -108,7 +156,13 @@ std::string ToString(BoundaryContact contact) {
 std::vector<std::string> RefineMapNames() {
   std::vector<std::string> names = {kByPatches, kNoRefinement};
   for (std::string& objective : MapObjectives().Names()) names.push_back(std::move(objective));
+  for (std::string& energy : StretchEnergies().Names()) names.push_back(std::move(energy));
   return names;
+}
+
+bool LeavesConformal(const std::string& refine_map) {
+  const StatusOr<NameWithOptions> named = ParseNameWithOptions(refine_map);
+  return named.ok() && StretchEnergies().Find(named->name).ok();
 }
 
 Status CheckRefineMap(const std::string& refine_map) {
@@ -118,24 +172,34 @@ Status CheckRefineMap(const std::string& refine_map) {
 Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
                     const std::string& refine_map, PlanarLayout* layout,
                     std::optional<MapRefinementSummary>* summary) {
-  if (refine_map == kNoRefinement) return Status();
-  const StatusOr<Refinement> refinement = Parse(refine_map);
-  if (!refinement.ok()) return refinement.status();
   const Triangulation& t = of.surface.triangulation;
   const SeamReport report = MeasureSeams(t, of.cut, of.cones, of.flat.angles, layout->uv);
-  const SeamedSurface seamed = {of.surface, of.cut, report.seams, HeldBoundary(t, targets)};
-  return Refine(seamed, *refinement, of.cancelled, &layout->uv, &Fill(summary));
+  KeptVertices kept = KeepPrescribedBoundary(t, targets, report, layout->uv);
+  const SeamedSurface seamed = {of.surface, of.cut, report.seams, std::move(kept.held),
+                                std::move(kept.sliding)};
+  return RefineSeamedMap(seamed, refine_map, of.cancelled, &layout->uv, summary);
 }
 
-Status RefineHeldMap(const IntrinsicSurface& surface, std::vector<bool> held,
+Status RefineHeldMap(const IntrinsicSurface& surface, KeptVertices kept,
                      const std::string& refine_map, const std::atomic<bool>* cancelled,
                      CornerUv* uv, std::optional<MapRefinementSummary>* summary) {
+  const Cut none{std::vector<bool>(surface.triangulation.num_edges(), false)};
+  const SeamedSurface of = {surface, none, {}, std::move(kept.held), std::move(kept.sliding)};
+  return RefineSeamedMap(of, refine_map, cancelled, uv, summary);
+}
+
+Status RefineSeamedMap(const SeamedSurface& of, const std::string& refine_map,
+                       const std::atomic<bool>* cancelled, CornerUv* uv,
+                       std::optional<MapRefinementSummary>* summary) {
   if (refine_map == kNoRefinement) return Status();
   const StatusOr<Refinement> refinement = Parse(refine_map);
   if (!refinement.ok()) return refinement.status();
-  const Cut none{std::vector<bool>(surface.triangulation.num_edges(), false)};
-  const SeamedSurface of = {surface, none, {}, std::move(held)};
   return Refine(of, *refinement, cancelled, uv, &Fill(summary));
+}
+
+SeamSummary SummaryOf(const SeamReport& report) {
+  return {static_cast<int>(report.seams.size()), report.max_length_mismatch,
+          report.max_rotation_mismatch, report.max_gap, report.max_cone_mismatch};
 }
 
 int CommonRotationOrder(const ConeTargets& targets, const std::vector<Index>& cones) {
@@ -175,7 +239,7 @@ int ArrangePatches(const LaidOutSurface& of, const ConeTargets& targets, PlanarL
 
 void MeasureDistortion(const Triangulation& t, const EdgeLengths& lengths, const Cut& cut,
                        const CornerUv& uv, Certificate* certificate) {
-  certificate->overlap = ToString(FindBoundaryContact(CutOpen(t, cut), uv));
+  certificate->overlap = OverlapOf(t, cut, uv);
   certificate->distortion = DistortionOf(t, lengths, uv);
 }
 

@@ -10,17 +10,23 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/opened_map.h"
 #include "cirque/layout/planar_layout.h"
+#include "cirque/layout/seams.h"
+#include "cirque/layout/sliding.h"
 #include "cirque/pipeline/certificate.h"
 
 namespace cirque {
 
-/// What ParameterizeOptions::refine_map may name: "auto" (RefineByPatches), "none" and objectives of
-/// RefineMap.
+/// What ParameterizeOptions::refine_map may name: "auto" (RefineByPatches), "none", objectives of
+/// RefineMap and energies of RefineStretch.
 std::vector<std::string> RefineMapNames();
 
 /// Whether a text is a value of ParameterizeOptions::refine_map; the error says what is wrong.
 Status CheckRefineMap(const std::string& refine_map);
+
+/// Whether it names an energy of both singular values, which wants a boundary that may move.
+bool LeavesConformal(const std::string& refine_map);
 
 /// A layout's surface, flat metric, cut and cones.
 struct LaidOutSurface {
@@ -33,15 +39,30 @@ struct LaidOutSurface {
 
 /// Refines a layout without flipped faces as `refine_map` says, unless that is "none". Boundary
 /// vertices whose angle sums `targets` prescribe stay, and their neighbours on the boundary, so that
-/// polygons stay polygons. Errors: as CheckRefineMap; cancelled.
+/// polygons stay polygons; on a surface without a cut those of angle pi between two that stay slide
+/// along their straight side. Errors: as CheckRefineMap; cancelled.
 Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
                     const std::string& refine_map, PlanarLayout* layout,
                     std::optional<MapRefinementSummary>* summary);
 
-/// The same of a map without a cut, whose `held` vertices stay.
-Status RefineHeldMap(const IntrinsicSurface& surface, std::vector<bool> held,
+/// What of a map's vertices a refinement may not move as it likes.
+struct KeptVertices {
+  std::vector<bool> held;  ///< V; empty: none
+  SlidingVertices sliding = {};
+};
+
+/// The same of a map without a cut.
+Status RefineHeldMap(const IntrinsicSurface& surface, KeptVertices kept,
                      const std::string& refine_map, const std::atomic<bool>* cancelled,
                      CornerUv* uv, std::optional<MapRefinementSummary>* summary);
+
+/// The same of a map whose seams lie along its cut (MeasureSeams).
+Status RefineSeamedMap(const SeamedSurface& of, const std::string& refine_map,
+                       const std::atomic<bool>* cancelled, CornerUv* uv,
+                       std::optional<MapRefinementSummary>* summary);
+
+/// The seams' figures for a certificate.
+SeamSummary SummaryOf(const SeamReport& report);
 
 /// 4 where every cone's angle is fixed to a multiple of pi/2, 6 where to one of pi/3, 0 otherwise.
 /// 4 without cones: the transitions of a flat surface without handles and loops, and of a flat

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +16,19 @@
 
 namespace cirque {
 
+struct EquivalentTriangulation;
+
+/// A flat metric on the triangulation that it was solved on, no triangle of which is flipped.
+struct SolvedMetric {
+  IntrinsicTriangulation intrinsic;
+  CornerAngles angles;  ///< flat
+  EdgeLengths lengths;  ///< flat
+  /// Of conformal equivalence: what the overlay is made of; intrinsic's lengths are flat too, and of
+  /// a surface that was solved on its double it is the half. Null: a circle pattern, whose overlay is
+  /// drawn by StraightLines.
+  std::shared_ptr<const EquivalentTriangulation> equivalent = {};
+};
+
 /// A flat cone metric conformal to the input's, where it was solved and as the input's triangles
 /// have it.
 struct FlatSurface {
@@ -22,7 +37,13 @@ struct FlatSurface {
   Eigen::VectorXd multipliers;       ///< of the angle fit, rows as in AngleConstraints
   LogRadii log_radii;                ///< of intrinsic; the image has the area of the surface
   EdgeLengths intrinsic_lengths;     ///< flat, of intrinsic: with it a CON file
+  /// V, where intrinsic's flips are Ptolemy's and the metric is conformally equivalent: what edges of
+  /// the input are straight in is TraceIdealGeodesic's to say. Empty: a circle pattern.
+  Eigen::VectorXd log_scale;
   InputChart on_input;
+  /// With ParameterizeOptions::exact the first that was solved, before any edge was locked. Only with
+  /// it may triangles of `on_input` be flipped.
+  std::optional<SolvedMetric> exact;
   InfeasibilityCertificate infeasibility;  ///< with kInfeasible: why there is none
 };
 

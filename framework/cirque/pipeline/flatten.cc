@@ -2,29 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/solve_summary.h"
-#include "cirque/layout/untangle.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/pipeline/retriangulate.h"
 #include "cirque/pipeline/solve_flat_metric.h"
+#include "cirque/pipeline/untangle_chart.h"
 #include "cirque/radii/solve_log_radii.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
-
-double Area(const IntrinsicSurface& surface) {
-  const Triangulation& t = surface.triangulation;
-  const Eigen::VectorXd& length = surface.lengths.value;
-  return ParallelSum(t.num_faces(), [&](Index f) {
-    return 0.5 * length[t.edge[3 * f]] * length[t.edge[3 * f + 1]] *
-           std::sin(surface.angles.value[3 * f + 2]);
-  });
-}
 
 /// The faces and all that can be reached from them over that many edges.
 std::vector<bool> Neighbourhood(const Triangulation& t, std::vector<Index> faces, int edges) {
@@ -55,9 +48,10 @@ class Flattening {
         certificate_(*certificate),
         flips_(Fill(&certificate->triangulation)),
         result_(*result),
-        source_area_(Area(job.surface)) {}
+        source_area_(SurfaceArea(job.surface)) {}
 
   Status Run() {
+    result_.exact.reset();
     if (Status s = CheckTargets(job_.surface, targets_, &result_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == SolvedTriangulation::kInput) return SolveOnInput();
     std::vector<bool> locked(input_.num_edges(), false);
@@ -71,7 +65,9 @@ class Flattening {
         });
     if (flipped.ok() && flipped->empty()) return Status();
     if (!flipped.ok() && !MayDoBetterOnInput(flipped.status())) return flipped.status();
-    return SolveOnInput();
+    Status status = SolveOnInput();
+    if (MayDoBetterOnInput(status) && first_) return TakeFirst();
+    return status;
   }
 
  private:
@@ -87,6 +83,15 @@ class Flattening {
     }
   }
 
+  /// The exact map is that of the first round's metric, whatever its triangles on the input.
+  Status TakeFirst() {
+    result_ = std::move(first_->surface);
+    certificate_.angle_fit = first_->angle_fit;
+    certificate_.radii = first_->radii;
+    flips_ = first_->flips;
+    return Status();
+  }
+
   static bool MayDoBetterOnInput(const Status& status) {
     return status.code() == StatusCode::kInfeasible || status.code() == StatusCode::kNotConverged;
   }
@@ -94,10 +99,23 @@ class Flattening {
   StatusOr<std::vector<Index>> SolveRound(const std::vector<bool>& locked) {
     ++*flips_.delaunay_rounds;
     const Timer timer;
+    job_.control.BeginStage("triangulation");
     result_.intrinsic = MakeIntrinsicDelaunay(input_, job_.surface.lengths, {&targets_, locked});
     AddSeconds(timer, &certificate_.seconds.triangulation);
+    if (Status s = FlipForTheFit(); !s.ok()) return s;
     if (Status s = Solve(); !s.ok()) return s;
     return result_.on_input.flipped;
+  }
+
+  /// Once: later rounds only lock edges.
+  Status FlipForTheFit() {
+    if (options_.retriangulate == 0 || rounds_solved_ > 0) return Status();
+    const Timer timer;
+    job_.control.BeginStage("retriangulation");
+    Status status = Retriangulate(job_, &certificate_, &result_);
+    has_start_ = true;
+    AddSeconds(timer, &certificate_.seconds.triangulation);
+    return status;
   }
 
   Status SolveOnInput() {
@@ -107,7 +125,8 @@ class Flattening {
 
   Status Solve() {
     flips_.flips = static_cast<int>(result_.intrinsic.flips.size());
-    if (Status s = SolveFlatMetric(job_, rounds_solved_ > 0, &certificate_, &result_); !s.ok()) {
+    if (Status s = SolveFlatMetric(job_, rounds_solved_ > 0 || has_start_, &certificate_, &result_);
+        !s.ok()) {
       return s;
     }
     const Timer timer;
@@ -122,40 +141,14 @@ class Flattening {
     const CornerAngles flat = FlatCornerAngles(t(), result_.angles, result_.log_radii);
     ScaleToSurfaceArea(flat);
     result_.intrinsic_lengths = FlatEdgeLengths(t(), flat, result_.log_radii);
+    if (options_.exact && !result_.exact) {
+      result_.exact = {result_.intrinsic, flat, result_.intrinsic_lengths};
+    }
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
-    flips_.flipped_in_chart = static_cast<int>(result_.on_input.flipped.size());
-    Untangle();
-    AddWrapped(flat);
-  }
-
-  /// Triangles may turn twice round a vertex without one of them being flipped: its angles add up to
-  /// a full turn more than in the flat metric. Then they count as flipped, so that they are kept
-  /// from it.
-  void AddWrapped(const CornerAngles& flat) {
-    std::vector<Index>& flipped = result_.on_input.flipped;
-    if (!flipped.empty()) return;
-    Eigen::VectorXd excess = Eigen::VectorXd::Zero(input_.num_vertices);
-    for (Index c = 0; c < input_.num_halfedges(); ++c) {
-      excess[input_.vertex[c]] += result_.on_input.angles.value[c];
-      excess[t().vertex[c]] -= flat.value[c];
+    UntangleChart(job_, VertexAngleSums(t(), flat), &flips_, &result_.on_input);
+    if (options_.exact && !first_ && !result_.on_input.flipped.empty()) {
+      first_ = {result_, certificate_.angle_fit, certificate_.radii, flips_};
     }
-    for (Index f = 0; f < input_.num_faces(); ++f) {
-      const Index* corner = &input_.vertex[3 * f];
-      const bool wrapped =
-          std::any_of(corner, corner + 3, [&](Index v) { return std::abs(excess[v]) > kPi; });
-      if (wrapped) flipped.push_back(f);
-    }
-  }
-
-  /// Few faces are flipped, if any, and moving a vertex a little rights most of them.
-  void Untangle() {
-    flips_.moved_vertices = 0;
-    if (result_.on_input.flipped.empty()) return;
-    std::vector<bool> movable = job_.surface.boundary;
-    for (Index v = 0; v < input_.num_vertices; ++v) {
-      movable[v] = !movable[v] && targets_.IsFixed(v) && targets_.lower[v] == 2 * kPi;
-    }
-    flips_.moved_vertices = UntangleFlippedTriangles(job_.surface, movable, &result_.on_input);
   }
 
   /// Shifts the gauge so that the image has the surface's area.
@@ -170,6 +163,14 @@ class Flattening {
     result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);
   }
 
+  /// A round, and what the certificate said of it.
+  struct Round {
+    FlatSurface surface;
+    std::optional<AngleFitSummary> angle_fit;
+    std::optional<RadiiSummary> radii;
+    TriangulationSummary flips;
+  };
+
   const FlattenJob& job_;
   const Triangulation& input_;
   const ConeTargets& targets_;
@@ -178,7 +179,9 @@ class Flattening {
   TriangulationSummary& flips_;
   FlatSurface& result_;
   const double source_area_;
-  int rounds_solved_ = 0;  ///< of the lazily constrained loop
+  int rounds_solved_ = 0;       ///< of the lazily constrained loop
+  bool has_start_ = false;      ///< multipliers near the solution's
+  std::optional<Round> first_;  ///< where there is an exact map of it only
 };
 
 }  // namespace

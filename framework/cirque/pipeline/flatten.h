@@ -33,7 +33,8 @@ StatusOr<std::vector<Index>> SolveLockingFlipped(std::vector<bool> locked,
 /// options say otherwise. Where input triangles come out flipped, single vertices are moved
 /// (UntangleFlippedTriangles); those that no move rights get their edges locked, and everything is
 /// solved again (SolveLockingFlipped). The last resort, also where the flipped connectivity has no
-/// coherent angles, is the input's own, on which none can be flipped. Proofs of infeasibility are
+/// coherent angles, is the input's own, on which none can be flipped; where that has none either and
+/// an exact map is asked for, the first solution stays with its flipped triangles. Proofs of infeasibility are
 /// therefore about the input's connectivity. The certificate receives the summaries of
 /// triangulation, angle fit and radii, and their times.
 Status Flatten(const FlattenJob& job, Certificate* certificate, FlatSurface* result);

@@ -69,8 +69,10 @@ Colour ColourOf(double strength) {
 
 std::string InfeasibilityCsv(const InfeasibilityCertificate& proof) {
   std::string csv = "kind,id,multiplier\n";
+  const std::vector<Index>& face = proof.triangle_face;
   AppendCarriers(
-      "face", proof.face_multiplier, [](std::size_t i) { return i; }, &csv);
+      "face", proof.face_multiplier,
+      [&](std::size_t i) { return face.empty() ? static_cast<Index>(i) : face[i]; }, &csv);
   AppendCarriers(
       "vertex", proof.vertex_multiplier, [&](std::size_t i) { return proof.constrained_vertex[i]; },
       &csv);

@@ -9,8 +9,8 @@ namespace cirque {
 
 /// The faces and vertices that carry the proof as CSV: a header `kind,id,multiplier`, then a line
 /// for every face and every constrained vertex whose multiplier exceeds a thousandth of the largest
-/// of its kind, in increasing ids (0-based, as the proof has them). Only
-/// the ratios of multipliers mean anything.
+/// of its kind, in increasing ids (0-based, as the proof has them; a polygon has a
+/// line for every triangle of it). Only the ratios of multipliers mean anything.
 std::string InfeasibilityCsv(const InfeasibilityCertificate& proof);
 
 /// The surface as text PLY with a colour a face (grey: no multiplier; red: positive, blue:

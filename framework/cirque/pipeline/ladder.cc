@@ -5,15 +5,14 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "cirque/cones/cone.h"
 #include "cirque/pipeline/cone_stages.h"
+#include "cirque/pipeline/flatten_by_equivalence.h"
+#include "cirque/pipeline/road_keeper.h"
 
 namespace cirque {
 namespace {
 
-constexpr char kAsAsked[] = "as_asked";
 constexpr int kMoreIterations = 10;       ///< times
 constexpr int kLeastCones = 8;            ///< of a heuristic
 constexpr int kMostCones = 512;           ///< of a heuristic that places or moves them one by one
@@ -25,36 +24,10 @@ struct Ended {
   const Road& road;
   RoadEnd end;
   const Parameterization& map;
-  std::optional<int>* default_cones;  ///< how many DefaultTargets has, once a rung has asked
+  const ConeTargets& asked_for;     ///< the targets of the road that was asked for
+  RoadEnd asked_end;                ///< how that ended
+  std::optional<int>* least_cones;  ///< of the rungs that place them, once one has asked
 };
-
-RoadEnd EndOf(const Status& status, const Certificate& certificate) {
-  switch (status.code()) {
-    case StatusCode::kOk:
-      return Inaccuracy(certificate).empty() ? RoadEnd::kMap : RoadEnd::kImprecise;
-    case StatusCode::kInfeasible:
-      return RoadEnd::kInfeasible;
-    case StatusCode::kUnrepresentable:
-      return RoadEnd::kUnrepresentable;
-    case StatusCode::kNotConverged:
-      return RoadEnd::kNotConverged;
-    default:
-      return RoadEnd::kStopped;
-  }
-}
-
-const char* Since(RoadEnd end) {
-  switch (end) {
-    case RoadEnd::kImprecise:
-      return "doubles could not hold the map accurately";
-    case RoadEnd::kInfeasible:
-      return "no coherent angles exist without";
-    case RoadEnd::kUnrepresentable:
-      return "doubles could not hold the map";
-    default:
-      return "the solve did not converge";
-  }
-}
 
 const ParameterizeOptions& Asked(const Ended& last) { return last.start.asked.options; }
 
@@ -75,7 +48,7 @@ bool MayIterateMore(const Ended& last) {
 /// Whether the cones are the program's to choose.
 bool MayChooseCones(const Ended& last) {
   const LadderStart& start = last.start;
-  return !start.asked.targets && !start.cut_given && Asked(last).cones.empty();
+  return !start.asked.targets && !start.cut_given && !Asked(last).AsksForCones();
 }
 
 /// Whether the cones that are there are a heuristic's.
@@ -83,23 +56,36 @@ bool MayRepairCones(const Ended& last) {
   return !last.start.asked.targets && !Asked(last).cones.starts_with("given");
 }
 
+/// What is about angles and radii is of no use to conformal equivalence.
+bool ByCircles(const Ended& last) { return last.road.options.pattern == PatternKind::kCircle; }
+
 // When rungs apply.
 
 bool OpenedAlongCut(const Ended& last) {
   return last.start.cut_given && Asked(last).seams == SeamKind::kAuto &&
-         !last.start.asked.targets && Asked(last).cones.empty();
+         !last.start.asked.targets && !Asked(last).AsksForCones();
 }
 
 bool RadiiNeedMore(const Ended& last) { return FailedInRadii(last) && MayIterateMore(last); }
 
 bool AnglesNeedMore(const Ended& last) { return FailedInAngles(last) && MayIterateMore(last); }
 
+bool EquivalenceMayDo(const Ended& last) {
+  const bool may_end_otherwise =
+      last.asked_end == RoadEnd::kInfeasible || last.asked_end == RoadEnd::kNotConverged;
+  return may_end_otherwise && ByCircles(last) &&
+         Asked(last).triangulation != SolvedTriangulation::kInput &&
+         HasEquivalentMetric(last.start.surface, last.asked_for);
+}
+
 bool NotQuadratic(const Ended& last) {
-  return last.end == RoadEnd::kNotConverged && last.road.options.angle_objective != "quadratic";
+  return ByCircles(last) && last.end == RoadEnd::kNotConverged &&
+         last.road.options.angle_objective != "quadratic";
 }
 
 bool DualWanders(const Ended& last) {
-  return FailedInAngles(last) && Asked(last).angle_solver == ParameterizeOptions().angle_solver;
+  return ByCircles(last) && FailedInAngles(last) &&
+         Asked(last).angle_solver == ParameterizeOptions().angle_solver;
 }
 
 bool ConesInfeasible(const Ended& last) {
@@ -120,11 +106,13 @@ bool IterateMore(const Ended& last, int times, Road* road) {
 }
 
 bool FitQuadratic(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.own_objective = nullptr;
   road->options.angle_objective = "quadratic";
   return true;
 }
 
 bool FitByInteriorPoint(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.own_objective = nullptr;
   road->options.angle_objective = "quadratic";
   road->options.angle_solver = "interior_point";
   return true;
@@ -142,17 +130,21 @@ bool Repair(const Ended& last, int round, Road* road) {
   return true;
 }
 
-int CountDefaultCones(const IntrinsicSurface& surface) {
-  const StatusOr<ConeTargets> targets = DefaultTargets(surface);
-  return targets.ok() ? static_cast<int>(ConesOf(surface.triangulation, *targets).size()) : 0;
+/// How many cones to begin with: as many as the road that was asked for, which had the default's, or
+/// as one chart needs where that is what failed.
+int LeastConesAfter(const Ended& last) {
+  const IntrinsicSurface& surface = last.start.surface;
+  const auto of_default = static_cast<int>(ConesOf(surface.triangulation, last.asked_for).size());
+  const int least = std::max(kLeastCones, of_default);
+  const bool wide = last.end == RoadEnd::kImprecise || last.end == RoadEnd::kUnrepresentable;
+  return wide ? ConesForOneChart(surface, least) : least;
 }
 
 /// The road that was asked for, with other cones.
 bool PlaceAnew(const Ended& last, const std::string& heuristic, int factor, Road* road) {
   const Triangulation& t = last.start.surface.triangulation;
-  std::optional<int>& of_default = *last.default_cones;
-  if (!of_default) of_default = CountDefaultCones(last.start.surface);
-  const int count = factor * std::max(kLeastCones, *of_default);
+  if (!*last.least_cones) *last.least_cones = LeastConesAfter(last);
+  const int count = factor * **last.least_cones;
   if (count > kMostCones || (factor > 1 && count > t.num_vertices / 2)) return false;
   const int max_iterations = road->options.max_iterations;
   *road = last.start.asked;
@@ -172,6 +164,15 @@ bool PlaceGreedy(const Ended& last, int factor, Road* road) {
 
 bool PlaceL1(const Ended& last, int factor, Road* road) {
   return PlaceAnew(last, "l1", factor, road);
+}
+
+/// The road that was asked for with its own targets, by conformal equivalence.
+bool TakeEquivalence(const Ended& last, int /*number*/, Road* road) {
+  *road = last.start.asked;
+  road->targets = last.asked_for;
+  road->options.pattern = PatternKind::kEquivalence;
+  road->options.refine_cones = 0;
+  return true;
 }
 
 /// A line of the ladder.
@@ -205,6 +206,8 @@ constexpr Rung kRungs[] = {
     {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
     {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
      IterateMore, kMoreIterations},
+    {"equivalence", "discrete conformal equivalence instead of a circle pattern", false,
+     EquivalenceMayDo, TakeEquivalence, 0},
 };
 
 /// A road taken.
@@ -220,74 +223,49 @@ class Climb {
   Climb(const LadderStart& start, const TakeARoad& take) : start_(start), take_(take) {}
 
   Status Run(Parameterization* result) {
-    last_ = kept_ = Take(start_.asked, kAsAsked);
-    const RoadEnd first = kept_->end;
+    last_ = Take(start_.asked, kAsAsked);
+    keeper_.Keep(last_);
+    const RoadEnd first = last_->end;
     const bool settled = first == RoadEnd::kMap || first == RoadEnd::kStopped;
     if (!settled && !start_.asked.options.strict) {
       TryRungs();
-      Describe(first);
+      keeper_.Describe(first);
     }
-    *result = std::move(kept_->map);
-    return kept_->status;
+    *result = std::move(keeper_.kept().map);
+    return keeper_.kept().status;
   }
 
  private:
   std::shared_ptr<Taken> Take(const Road& road, const char* name) {
     auto taken = std::make_shared<Taken>(Taken{road, {}, RoadEnd::kStopped, {}});
+    const Timer timer;
     taken->status = take_(road, &taken->map);
     taken->map.certificate.cone_repair = road.repair;
-    taken->end = EndOf(taken->status, taken->map.certificate);
-    const bool inaccurate = taken->end == RoadEnd::kImprecise;
-    ladder_.tried.push_back(
-        {name, inaccurate ? kInaccurate : ToString(taken->status.code()),
-         inaccurate ? Inaccuracy(taken->map.certificate) : taken->status.message()});
+    keeper_.Note(name, timer.Seconds(), taken.get());
     return taken;
   }
 
   void TryRungs() {
-    std::optional<int> default_cones;
+    const std::shared_ptr<Taken> first = last_;
+    std::optional<int> least_cones;
     for (const Rung& rung : kRungs) {
-      const Ended last{start_, last_->road, last_->end, last_->map, &default_cones};
+      const Ended last{start_,     last_->road, last_->end, last_->map, first->map.targets,
+                       first->end, &least_cones};
       Road next = last_->road;
       if (!rung.applies(last) || !rung.change(last, rung.number, &next)) continue;
       const std::shared_ptr<Taken> taken = Take(next, rung.name);
-      ++ladder_.rungs_tried;
-      if (taken->status.code() == StatusCode::kCancelled) {
-        kept_ = taken;
-        return;
-      }
+      keeper_.CountRung();
+      if (taken->status.code() == StatusCode::kCancelled) return keeper_.Keep(taken);
       if (taken->end == RoadEnd::kStopped) continue;  // a heuristic that finds no cones here
       last_ = taken;
-      if (Keep(rung, taken)) return;
+      if (keeper_.KeepBest(rung.made_with, rung.same_targets, taken)) return;
     }
-  }
-
-  /// Keeps it if it is the best so far; whether it is all that was hoped for.
-  bool Keep(const Rung& rung, const std::shared_ptr<Taken>& taken) {
-    const bool is_map = taken->end == RoadEnd::kMap;
-    const bool better = is_map || (taken->end == RoadEnd::kImprecise && !kept_->status.ok());
-    const bool proves = rung.same_targets && taken->end == RoadEnd::kInfeasible &&
-                        kept_->end == RoadEnd::kNotConverged;
-    if (better) ladder_.made_with = rung.made_with;
-    if (better || proves) kept_ = taken;
-    return is_map;
-  }
-
-  void Describe(RoadEnd first) {
-    Status& status = kept_->status;
-    if (!ladder_.made_with.empty()) ladder_.since = Since(first);
-    const bool failed = !status.ok() && status.code() != StatusCode::kCancelled;
-    if (failed && ladder_.rungs_tried > 0) {
-      status = Status(status.code(), fmt::format("{} ({} other roads tried: see the certificate)",
-                                                 status.message(), ladder_.rungs_tried));
-    }
-    kept_->map.certificate.ladder = std::move(ladder_);
   }
 
   const LadderStart& start_;
   const TakeARoad& take_;
-  std::shared_ptr<Taken> last_, kept_;  ///< the last that led somewhere, and the best so far
-  LadderSummary ladder_;
+  std::shared_ptr<Taken> last_;  ///< that led somewhere
+  RoadKeeper<Taken> keeper_;
 };
 
 }  // namespace

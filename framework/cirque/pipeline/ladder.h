@@ -8,6 +8,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterization.h"
 #include "cirque/pipeline/summaries.h"
@@ -29,16 +30,6 @@ struct LadderStart {
   const IntrinsicSurface& surface;
   const Road& asked;  ///< with the user's targets, if there are any
   bool cut_given = false;
-};
-
-/// How a road ended, as far as the ladder tells ends apart.
-enum class RoadEnd {
-  kMap,
-  kImprecise,  ///< a map that misses kAccuracy
-  kInfeasible,
-  kUnrepresentable,
-  kNotConverged,
-  kStopped  ///< cancelled, bad input, a failing machine: nothing else is tried
 };
 
 /// Takes the road that was asked for. Where it leads to no map, or to an inaccurate one, the rungs

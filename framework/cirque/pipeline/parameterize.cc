@@ -6,13 +6,18 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cirque/cones/boundaries.h"
 #include "cirque/cones/cone.h"
 #include "cirque/core/option.h"
 #include "cirque/core/solve_summary.h"
+#include "cirque/core/text.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/ladder.h"
 #include "cirque/pipeline/lay_out.h"
+#include "cirque/pipeline/prescribe_boundary.h"
 
 namespace cirque {
 namespace {
@@ -25,6 +30,7 @@ using Job = ParameterizeJob;
 Status Finish(const Job& job, Parameterization* result) {
   if (job.options.refine_cones > 0) {
     const Timer timer;
+    job.control.BeginStage("refinement of cones");
     Status status = RefineCones({job.surface, result->targets, job.options, job.control},
                                 &result->certificate, &result->targets, &result->flat);
     result->certificate.seconds.refine_cones = timer.Seconds();
@@ -47,7 +53,12 @@ int ConesAskedFor(const ParameterizeOptions& options) {
 
 Status Place(const Job& job, Parameterization* result) {
   const Timer timer;
-  StatusOr<ConeTargets> targets = PlaceCones(job.surface, job.file, job.options);
+  job.control.BeginStage("cones");
+  StatusOr<ConeTargets> targets =
+      job.options.holonomy == HolonomyRule::kFree
+          ? PlaceCones(job.surface, job.file, job.options)
+          : PlaceSeamlessCones(job.surface, job.file, job.options, job.control,
+                               &Fill(&result->certificate.holonomy));
   result->certificate.seconds.cones = timer.Seconds();
   if (!targets.ok()) return targets.status();
   result->targets = *std::move(targets);
@@ -76,7 +87,13 @@ Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
   return status.ok() ? Finish(job, result) : status;
 }
 
-Status RunRequest(const IntrinsicSurface& surface, const FileVertices& file,
+/// What a surface is beside its metric.
+struct Origin {
+  FileVertices file;
+  std::vector<bool> inside;  ///< E: edges inside polygons; empty: none
+};
+
+Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
                   const ParameterizeRequest& request, const SolveControl& control,
                   Parameterization* result) {
   *result = Parameterization();
@@ -84,13 +101,25 @@ Status RunRequest(const IntrinsicSurface& surface, const FileVertices& file,
   const Status fit =
       request.targets ? ParameterizeOptionTable().Validate(options) : CheckOptions(options);
   if (!fit.ok()) return fit;
+  if (request.targets && options.boundary != kFreeBoundary &&
+      !HasFreeBoundary(surface, *request.targets)) {
+    return Status::InvalidInput("boundary: the targets prescribe it already; leave it free");
+  }
+  if (options.exact && options.injective) {
+    return Status::InvalidInput(
+        "exact: its seams are chosen before the image can be made injective; leave out exact or "
+        "injective");
+  }
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
-    return TakeRoad({surface, file, cut, road.options, control}, road, end);
+    return TakeRoad({surface, origin.file, cut, road.options, control,
+                     origin.inside.empty() ? nullptr : &origin.inside},
+                    road, end);
   };
   const Road asked{options, request.targets, {}};
   Status status = ClimbLadder({surface, asked, cut != nullptr}, take, result);
   result->certificate.infeasibility = std::move(result->flat.infeasibility);
+  result->certificate.cone_rounding = request.cone_rounding;
   if (!request.targets) CompareWithBudget(surface.triangulation, options, result);
   return status;
 }
@@ -112,6 +141,22 @@ FileVertices VerticesInFile(const Surface& surface) {
   return {number.empty() ? 0 : *std::max_element(number.begin(), number.end()) + 1, number};
 }
 
+/// Whether a cut opens no polygon.
+Status CheckKeepsPolygons(const Surface& surface, const std::vector<bool>& inside, const Cut& cut) {
+  std::vector<int> opened;
+  for (Index e = 0; e < surface.triangulation.num_edges(); ++e) {
+    if (!inside[e] || !cut.edge[e]) continue;
+    opened.push_back(
+        surface.soup_polygon[Triangulation::Face(surface.triangulation.edge_halfedge[e])]);
+  }
+  std::sort(opened.begin(), opened.end());
+  opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
+  if (opened.empty()) return Status();
+  return Status::InvalidInput(fmt::format(
+      "the cut runs through the inside of faces {} (0-based); lead it along their sides",
+      IdList(opened)));
+}
+
 }  // namespace
 
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
@@ -123,8 +168,8 @@ Status Parameterize(const Triangulation& t, const EdgeLengths& lengths,
                     const ParameterizeRequest& request, const SolveControl& control,
                     Parameterization* result) {
   const Timer timer;
-  const FileVertices file = VerticesInOrder(t.num_vertices);
-  return Conclude(RunRequest(MeasureSurface(t, lengths), file, request, control, result), timer,
+  const Origin origin{VerticesInOrder(t.num_vertices), {}};
+  return Conclude(RunRequest(MeasureSurface(t, lengths), origin, request, control, result), timer,
                   &result->certificate);
 }
 
@@ -132,9 +177,10 @@ Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
                     const SolveControl& control, Parameterization* result) {
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const FileVertices file = VerticesInFile(surface);
+  const Origin origin{VerticesInFile(surface), EdgesInsidePolygons(surface)};
   const IntrinsicSurface intrinsic = MeasureSurface(surface.triangulation, lengths);
-  Status status = RunRequest(intrinsic, file, request, control, result);
+  Status status = request.cut ? CheckKeepsPolygons(surface, origin.inside, *request.cut) : Status();
+  if (status.ok()) status = RunRequest(intrinsic, origin, request, control, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);
   return Conclude(status, timer, &result->certificate);
 }

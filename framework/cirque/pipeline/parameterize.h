@@ -9,6 +9,7 @@
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterization.h"
+#include "cirque/pipeline/summaries.h"
 
 namespace cirque {
 
@@ -18,7 +19,11 @@ struct ParameterizeRequest {
   /// The interval of every vertex's angle sum. Nothing: the cones that the options name
   /// (PlaceCones), or none where the surface is opened along the cut (SeamKind).
   std::optional<ConeTargets> targets = {};
-  std::optional<Cut> cut = {};  ///< nothing: a short one through the cones is found
+  /// What is to be opened. Where that leaves no disks, or cones inside, more is opened. Nothing: a
+  /// short cut through the cones is found.
+  std::optional<Cut> cut = {};
+  /// Of targets whose file missed Gauss-Bonnet by its digits, for the certificate.
+  std::optional<ConeRoundingSummary> cone_rounding = {};
 };
 
 /// DefaultTargets (cone_stages.h) of a surface in space.
@@ -27,9 +32,9 @@ StatusOr<ConeTargets> DefaultTargets(const Surface& surface);
 /// Maps a surface of any topology to the plane: intrinsic Delaunay flips, coherent angles, log
 /// radii, a cut through the cones, layout. Where that leads to no map, or to one that misses
 /// kAccuracy, other roads are tried unless the options are strict (pipeline/ladder.h); what was
-/// asked for stays, and the certificate says which. The status is kInfeasible (the certificate holds the
-/// proof), kUnrepresentable or kNotConverged when there is no map, kInvalidInput for targets or a
-/// cut that fit no map; `result` then carries no uv.
+/// asked for stays, and the certificate says which. The status is kInfeasible (the certificate
+/// holds the proof), kUnrepresentable or kNotConverged when there is no map, kInvalidInput for
+/// targets that fit no map and for a cut along edges inside polygons; `result` then carries no uv.
 Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
                     const SolveControl& control, Parameterization* result);
 

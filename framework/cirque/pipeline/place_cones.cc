@@ -12,15 +12,33 @@
 namespace cirque {
 namespace {
 
+constexpr Index kVerticesOfCone = 16;  ///< at least: cones need triangles around them
+
 /// Of the default cones of a closed surface: up to so many start from `greedy` and are moved one by
 /// one, each costing a solve; more start from SimpleConeTargets and are moved all at once.
 constexpr int kMostMovedOneByOne = 96, kMostMoves = 256, kMostSweeps = 30;
 
 /// Of a torus: it gets cones where its area would else range over more than e^4 and over a fifth
-/// less with them (README, Cones).
+/// less with them (docs/maps.md).
 constexpr int kConesOfTorus = 8;
-constexpr Index kLeastVerticesOfTorus = 16 * kConesOfTorus;  ///< cones need triangles around them
+constexpr Index kLeastVerticesOfTorus = kVerticesOfCone * kConesOfTorus;
 constexpr double kTorusRange = 4, kTorusShare = 0.8;
+
+/// Areas that range over more than e^28 leave fewer than 8 digits to the smallest triangles of a
+/// chart in doubles (kAccuracy).
+constexpr double kChartRange = 28;
+constexpr int kMostConesOfChart = 512;
+
+/// Those of a heuristic by name.
+StatusOr<std::vector<Cone>> ConesBy(const std::string& name, const OptionMap& options,
+                                    const ConeProblem& problem) {
+  const auto heuristic = MakeConeHeuristic(name, options);
+  return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
+}
+
+StatusOr<std::vector<Cone>> GreedyCones(const ConeProblem& problem, int count) {
+  return ConesBy("greedy", {{"cones", std::to_string(count)}}, problem);
+}
 
 /// `count` cones moved to where the predicted angle distortion is least.
 StatusOr<std::vector<Cone>> MovedCones(const ConeProblem& problem, int count) {
@@ -31,20 +49,25 @@ StatusOr<std::vector<Cone>> MovedCones(const ConeProblem& problem, int count) {
     options["cones"] = std::to_string(count);
     options["max_sweeps"] = std::to_string(std::min(kMostSweeps, kMostMoves / count));
   }
-  const auto heuristic = MakeConeHeuristic("moving", options);
-  return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
-}
-
-/// Where no simple set of cones exists, as on few vertices: as many as Gauss-Bonnet needs.
-StatusOr<std::vector<Cone>> NeededCones(const ConeProblem& problem) {
-  const auto heuristic = MakeConeHeuristic("greedy");
-  return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
+  return ConesBy("moving", options, problem);
 }
 
 /// By what power of e the area ratios range, as the linear model predicts.
 double PredictedAreaRange(const ConeProblem& problem, const std::vector<Cone>& cones) {
   const Eigen::VectorXd u = PredictedLogScale(problem, cones);
   return 2 * (u.maxCoeff() - u.minCoeff());
+}
+
+/// The least of count, 2 count, 4 count, ... with which areas range over no more than one chart can
+/// hold, as far as the surface has vertices for so many.
+int EnoughCones(const ConeProblem& problem, int count) {
+  const Index vertices = problem.triangulation().num_vertices;
+  const Index most = std::min<Index>(kMostConesOfChart, vertices / kVerticesOfCone);
+  for (; 2 * count <= most; count *= 2) {
+    const StatusOr<std::vector<Cone>> cones = GreedyCones(problem, count);
+    if (!cones.ok() || PredictedAreaRange(problem, *cones) <= kChartRange) break;
+  }
+  return count;
 }
 
 /// None, or kConesOfTorus where they lower the range of areas by much.
@@ -63,14 +86,46 @@ StatusOr<std::vector<Cone>> DefaultCones(const ConeProblem& problem) {
   if (problem.TotalCurvature() == 0) return ConesOfTorus(problem);
   const IntrinsicSurface& source = *problem.source().surface;
   const StatusOr<ConeTargets> simple = SimpleConeTargets(source);
-  if (!simple.ok()) return NeededCones(problem);
+  // As on few vertices: as many as Gauss-Bonnet needs.
+  if (!simple.ok()) return ConesBy("greedy", {}, problem);
   const std::vector<Cone> cones = ConesOf(source.triangulation, *simple);
-  const auto moved = MovedCones(problem, static_cast<int>(cones.size()));
+  auto count = static_cast<int>(cones.size());
+  if (PredictedAreaRange(problem, {}) > kChartRange) {
+    count = EnoughCones(problem, count);
+  }
+  const auto moved = MovedCones(problem, count);
   return moved.ok() ? moved : cones;
 }
 
-StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
-                                        const ParameterizeOptions& options) {
+/// Of a surface with a boundary whose handles ask for more than the boundary can turn: the share of
+/// pi a corner that its angle sums can reach (ConeProblem::LeastCurvature), and cones a handle.
+constexpr double kReach = 0.6;
+constexpr int kConesOfHandle = 4;
+
+/// How many cones a surface with a boundary needs: none, unless the turning that is left to its
+/// boundary, 2 pi chi by Gauss-Bonnet, is less than its corners can take.
+int NeededBesideBoundary(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
+  double least_turning = 0;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (surface.boundary[v]) least_turning += kPi * (1 - kReach * surface.corners[v]);
+  }
+  const Index chi = EulerCharacteristic(t);
+  if (least_turning <= 2 * kPi * chi) return 0;
+  const auto loops = static_cast<Index>(BoundaryLoops(t).size());
+  return kConesOfHandle * std::max<Index>(0, (2 - loops - chi) / 2);
+}
+
+/// Those of any surface.
+StatusOr<std::vector<Cone>> DefaultConesOf(const ConeProblem& problem) {
+  if (problem.IsClosed()) return DefaultCones(problem);
+  const int count = NeededBesideBoundary(*problem.source().surface);
+  return count == 0 ? std::vector<Cone>() : GreedyCones(problem, count);
+}
+
+StatusOr<std::vector<Cone>> ChooseByHeuristic(const ConeProblem& problem,
+                                              const ParameterizeOptions& options) {
+  if (options.own_cones) return options.own_cones->Choose(problem);
   if (!options.cones.empty()) {
     const auto heuristic = ParseConeHeuristic(options.cones, options.cone_budget);
     return heuristic.ok() ? (*heuristic)->Choose(problem) : heuristic.status();
@@ -79,11 +134,12 @@ StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
     return Status::InvalidInput("a cone budget needs a heuristic: name it as `cones`, one of " +
                                 Join(ConeHeuristics().Names()));
   }
-  return problem.IsClosed() ? DefaultCones(problem) : std::vector<Cone>();
+  return DefaultConesOf(problem);
 }
 
 /// The options with a heuristic of twice as many cones, if theirs takes a number.
 bool DoubleBudget(std::size_t cones, ParameterizeOptions* options) {
+  if (options->own_cones) return false;
   if (options->cones.empty()) options->cones = "greedy";
   options->cone_budget = 2 * std::max(1, static_cast<int>(cones));
   return ParseConeHeuristic(options->cones, options->cone_budget).ok();
@@ -94,13 +150,13 @@ bool DoubleBudget(std::size_t cones, ParameterizeOptions* options) {
 StatusOr<std::vector<Cone>> ChooseWithAngles(const ConeProblem& problem,
                                              ParameterizeOptions options,
                                              const ConeAngleOptions& angles) {
-  const StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
+  const StatusOr<std::vector<Cone>> cones = ChooseByHeuristic(problem, options);
   if (!cones.ok()) return cones;
   std::size_t count = cones->size();
   StatusOr<std::vector<Cone>> with_angles = ApplyConeAngles(problem, *cones, angles);
   while (!with_angles.ok() && count < problem.candidates().size()) {
     if (!DoubleBudget(count, &options)) break;
-    const StatusOr<std::vector<Cone>> more = ChooseCones(problem, options);
+    const StatusOr<std::vector<Cone>> more = ChooseByHeuristic(problem, options);
     if (!more.ok() || more->size() <= count) break;
     count = more->size();
     with_angles = ApplyConeAngles(problem, *more, angles);
@@ -176,14 +232,29 @@ class Repair {
 
 }  // namespace
 
-StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface) {
+int ConesForOneChart(const IntrinsicSurface& surface, int count) {
   const Triangulation& t = surface.triangulation;
-  if (!BoundaryLoops(t).empty()) return FreeBoundaryTargets(t);
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
   const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
                             {&surface, {}});
-  const StatusOr<std::vector<Cone>> cones = DefaultCones(problem);
+  return EnoughCones(problem, count);
+}
+
+StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface) {
+  const Triangulation& t = surface.triangulation;
+  const bool closed = BoundaryLoops(t).empty();
+  if (!closed && NeededBesideBoundary(surface) == 0) return FreeBoundaryTargets(t);
+  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
+  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
+                            {&surface, {}});
+  const StatusOr<std::vector<Cone>> cones = DefaultConesOf(problem);
   return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
+}
+
+StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
+                                        const ParameterizeOptions& options) {
+  const StatusOr<ConeAngleOptions> angles = ParseConeAngles(options.cone_angles);
+  return angles.ok() ? ChooseWithAngles(problem, options, *angles) : angles.status();
 }
 
 StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
@@ -191,15 +262,13 @@ StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVert
   const Triangulation& t = surface.triangulation;
   const ParameterizeOptions plain;
   if (options.cones == plain.cones && options.cone_budget == plain.cone_budget &&
-      options.cone_angles == plain.cone_angles) {
+      options.cone_angles == plain.cone_angles && !options.own_cones) {
     return DefaultTargets(surface);
   }
-  const StatusOr<ConeAngleOptions> angles = ParseConeAngles(options.cone_angles);
-  if (!angles.ok()) return angles.status();
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
   const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
                             {&surface, file});
-  const StatusOr<std::vector<Cone>> cones = ChooseWithAngles(problem, options, *angles);
+  const StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
   if (!cones.ok()) return cones.status();
   return ConeTargetsOf(t, *cones);
 }

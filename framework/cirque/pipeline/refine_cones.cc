@@ -196,7 +196,7 @@ class Refinement {
 
 Status RefineCones(const FlattenJob& job, Certificate* certificate, ConeTargets* targets,
                    FlatSurface* flat) {
-  const auto objective = AngleObjectives().Find(job.options.angle_objective);
+  const auto objective = AngleObjectiveOf(job.options);
   if (!objective.ok()) return objective.status();
   const double before = AreaDistortion(*flat);
   Refinement refinement(job, *targets, *flat, **objective);

@@ -20,6 +20,12 @@ struct TriangulationSummary {
   std::optional<int> delaunay_rounds, flipped_in_chart, moved_vertices, flip_back_stuck;
 };
 
+/// Flips for the sake of the angle fit (Retriangulate).
+struct RetriangulationSummary {
+  int retriangulation_rounds = 0, retriangulation_flips = 0;
+  int active_edges_before = 0, active_edges_after = 0;
+};
+
 /// The last solve for coherent angles.
 struct AngleFitSummary {
   double smallest_angle = kUnset, smallest_theta = kUnset, epsilon = kUnset;
@@ -41,6 +47,40 @@ struct RadiiSummary {
   std::vector<double> gradients;
 };
 
+/// What the flat metric turns directions by along its loops (MeasureRotations). The values are those of
+/// the loops around handles, two a handle, then of those around boundary loops but the first, which
+/// Gauss-Bonnet settles.
+struct RotationSummary {
+  std::vector<double> rotations;  ///< [rad]; rotation_0, rotation_1, ... in certificates
+  double rotation_miss_halves = 0,
+         rotation_miss_thirds = 0;  ///< the largest distances to multiples
+  /// Of the handles' loops, and of the boundary loops.
+  int handle_rotations = 0, boundary_rotations = 0;
+  /// [rad] between directions along boundary loops: of the first and each other, along paths.
+  std::vector<double> boundary_turns;  ///< boundary_turn_0, ... in certificates
+};
+
+/// Cones and angles that make the rotations multiples (ParameterizeOptions::holonomy).
+struct HolonomySummary {
+  double holonomy_miss = kUnset;         ///< the largest distance to the multiples asked for
+  double holonomy_miss_before = kUnset;  ///< the same before the angles closed it
+  double holonomy_angle_change = 0;      ///< [rad] the largest by that
+  int holonomy_steps = 0;                ///< of that
+  int holonomy_loop = -1;                ///< that misses most, as in rotation_0, ...
+  std::optional<int> holonomy_rounds, holonomy_moves;  ///< fits and moves of cones
+  std::optional<double> holonomy_miss_start;           ///< of the cones before they were moved
+};
+
+/// The last solve for log scales, where conformal equivalence makes the surface flat.
+struct EquivalenceSummary {
+  double scales_residual = kUnset, log_scale_range = kUnset;
+  int scales_iterations = 0, scales_factorizations = 0, scales_cg_iterations = 0;
+  int ptolemy_flips = 0;
+  int doubled = 0;     ///< 1: solved on the surface and its mirror image
+  std::string solver;  ///< as that of the angle fit
+  std::vector<double> gradients;
+};
+
 /// Cones that were infeasible, and what became of them (RepairCones).
 struct ConeRepairSummary {
   int cone_repairs = 0, cones_moved = 0, cones_widened = 0;
@@ -52,11 +92,18 @@ struct ConeBudgetSummary {
   int cones_asked = 0, cones_needed = 0;
 };
 
+/// Cones of a file whose digits miss Gauss-Bonnet, made exact (ConeFileRounding).
+struct ConeRoundingSummary {
+  int cones_rounded = 0;
+  double cone_sum_missed = 0, cone_rounding_largest = 0;
+};
+
 /// A rung of the ladder (pipeline/ladder.h) that was tried.
 struct RungSummary {
   std::string rung;     ///< its name; of the road that was asked for "as_asked"
   std::string outcome;  ///< as of a certificate
   std::string message;  ///< why, when that is not ok
+  double seconds = 0;   ///< [s] wall time
 };
 
 /// The ladder, where the road that was asked for led to no map.
@@ -65,6 +112,24 @@ struct LadderSummary {
   int rungs_tried = 0;             ///< without that
   std::string made_with;           ///< what the map that came out was made with; empty: as asked
   std::string since;               ///< why it was not made as asked
+};
+
+/// A boundary of a shape that was asked for (FlattenWithBoundary).
+struct BoundarySummary {
+  int boundary_vertices = 0, boundary_at_bounds = 0;
+  double boundary_range = 0;  ///< [rad] that angle sums could differ by from those predicted
+  /// RefineBoundary
+  std::optional<int> boundary_steps, boundary_solves, boundary_overlaps_avoided;
+  std::optional<double> boundary_log_scale_before, boundary_log_scale_after;
+};
+
+/// What made the image injective, where that was asked for and it overlapped itself (MakeInjective).
+struct InjectivitySummary {
+  std::vector<RungSummary> tried;  ///< in order, until one held
+  std::string made_by;             ///< what the injective image was made by; empty: none is
+  int injectivity_stages = 0;      ///< tried
+  int charts = 1;
+  std::optional<double> boundary_turned;  ///< [rad] largest change of a boundary vertex's angle sum
 };
 
 /// RefineCones.
@@ -79,6 +144,7 @@ struct LayoutSummary {
   int flipped_triangles = 0;
   std::optional<int> cones, patches, rotation_order;
   std::optional<double> cut_length;
+  std::optional<int> given_cut_edges, further_cut_edges;  ///< where a cut was given
   /// Triangles that are flipped or have no area for who reads the coordinates as floats.
   std::optional<int> float32_vanishing_triangles;
 };
@@ -90,12 +156,33 @@ struct SeamSummary {
   double cone_rotation_mismatch = 0;
 };
 
+/// A map of a decimated surface, carried back to the surface itself (UndoCollapses).
+struct DecimatedSolveSummary {
+  Index solved_faces = 0;  ///< of the decimated surface
+  Index collapses = 0;     ///< undone, one vertex each
+  Index retreats = 0;      ///< vertices whose own best place was none without flips
+};
+
 /// RefineByPatches, or RefineMap, which has no patches.
 struct MapRefinementSummary {
   std::optional<int> map_refinement_flagged, map_refinement_patches, map_refinement_rounds;
   std::optional<int> map_refinement_patch_steps;
   int map_refinement_steps = 0;  ///< on the whole map
   double map_refinement_before = kUnset, map_refinement_after = kUnset;
+  std::optional<int> map_refinement_at_rest;  ///< of RefineMap
+};
+
+/// An exact map (MakeExactMap). The distortion is that of the triangles it was solved on, of
+/// conformal equivalence that of its own.
+struct ExactMapSummary {
+  int exact_triangles = 0, exact_crossings = 0;
+  double exact_faces_ratio = kUnset;  ///< faces of the overlay for one of the input
+  int exact_faces_worst = 0;          ///< of the overlay in one of the input
+  int exact_edges_spread = 0;
+  double exact_largest_shift = 0;
+  double exact_quasi_conformal_mean = kUnset, exact_quasi_conformal_max = kUnset;
+  double exact_log_area_ratio_l2 = kUnset;
+  double exact_layout_closure = kUnset, exact_seam_length_mismatch = kUnset;
 };
 
 /// Figures of the map (metrics/registry.h).
@@ -137,6 +224,29 @@ struct PolygonSummary {
   std::optional<double> conformal_modulus, opposite_side_mismatch;
 };
 
+/// A map that is periodic: a strip, the annulus that it is wound to, the parallelogram of a torus.
+struct PeriodicSummary {
+  std::optional<double> annulus_modulus;             ///< height over period, log(R / r) / (2 pi)
+  std::optional<double> strip_period;                ///< of a strip of height 1
+  std::optional<double> inner_radius, circle_error;  ///< of an annulus of outer radius 1
+  std::optional<double> modulus_real,
+      modulus_imaginary;            ///< tau of a torus, in the fundamental domain
+  double period_mismatch = kUnset;  ///< of seams from their translations before these were exact
+};
+
+/// The part of a mesh file that a certificate is about, where there are several.
+struct ComponentSummary {
+  Index first_face = kNone;  ///< its first polygon in the file, from 0
+  Index faces = 0;           ///< polygons of the file
+  Index vertices = 0;
+};
+
+/// Components side by side in the plane.
+struct AtlasSummary {
+  int components = 0, components_failed = 0, atlas_patches = 0;
+  double area_used = kUnset;  ///< share of the bounding square that the images' triangles cover
+};
+
 /// The process that ran it.
 struct ProcessSummary {
   std::optional<double> peak_memory_mib;
@@ -144,9 +254,10 @@ struct ProcessSummary {
 
 /// Wall time by stage [s].
 struct StageSeconds {
-  std::optional<double> read, preflight, subdivide, pole, corners, cones, triangulation, angles,
-      radii;
-  std::optional<double> refine_cones, layout, measures, write, total, process;
+  std::optional<double> read, preflight, subdivide, decimate, pole, corners, cones, triangulation;
+  std::optional<double> angles, radii, scales, rotations, injective, refine_cones, layout, exact;
+  std::optional<double> carry_back, measures;
+  std::optional<double> write, total, process;
 };
 
 }  // namespace cirque

@@ -51,19 +51,20 @@ VertexSums SumCorners(const UvComplex& complex, const std::vector<double>& angle
   return sums;
 }
 
-void JudgeInnerVertices(const VertexSums& sums, double tolerance, AngleMeasures* result) {
+void JudgeInnerVertices(const TriangleMesh& mesh, const VertexSums& sums, double tolerance,
+                        AngleMeasures* result) {
   for (Index v = 0; v < static_cast<Index>(sums.angle.size()); ++v) {
     if (!sums.inside[v]) continue;
     const double deviation = std::abs(sums.angle[v] - 2 * kPi);
     if (!sums.on_seam[v]) {
       ++result->num_plain;
       result->largest_plain_deviation = std::max(result->largest_plain_deviation, deviation);
-      if (sums.turns[v] != 1) result->wrapped.push_back(v);
+      if (sums.turns[v] != 1) result->wrapped.push_back(mesh.Origin(v));
       continue;
     }
     ++result->num_on_seam;
     if (deviation > tolerance) {
-      result->cones.push_back({v, sums.angle[v]});
+      result->cones.push_back({mesh.Origin(v), sums.angle[v]});
     } else {
       result->largest_flat_seam_deviation =
           std::max(result->largest_flat_seam_deviation, deviation);
@@ -71,16 +72,16 @@ void JudgeInnerVertices(const VertexSums& sums, double tolerance, AngleMeasures*
   }
 }
 
-void CompareWithTargets(const VertexSums& sums, const AngleTargets& targets, double tolerance,
-                        AngleMeasures* result) {
+void CompareWithTargets(const TriangleMesh& mesh, const VertexSums& sums,
+                        const AngleTargets& targets, double tolerance, AngleMeasures* result) {
   result->largest_target_deviation = 0;
   for (Index v = 0; v < static_cast<Index>(sums.angle.size()); ++v) {
-    const std::optional<AngleInterval> target = targets.At(v, sums.inside[v]);
+    const std::optional<AngleInterval> target = targets.At(mesh.Origin(v), sums.inside[v]);
     if (!target) continue;
     const double deviation = std::max({0.0, kPi * target->lower_over_pi - sums.angle[v],
                                        sums.angle[v] - kPi * target->upper_over_pi});
     result->largest_target_deviation = std::max(result->largest_target_deviation, deviation);
-    if (deviation > tolerance) result->off_target.push_back(v);
+    if (deviation > tolerance) result->off_target.push_back(mesh.Origin(v));
   }
 }
 
@@ -101,8 +102,8 @@ AngleMeasures MeasureAngles(const UvComplex& complex, const AngleTargets& target
     result.delaunay_margin = std::fmin(result.delaunay_margin, margin);
   }
   const VertexSums sums = SumCorners(complex, angle);
-  JudgeInnerVertices(sums, tolerance, &result);
-  if (!targets.empty()) CompareWithTargets(sums, targets, tolerance, &result);
+  JudgeInnerVertices(complex.mesh(), sums, tolerance, &result);
+  if (!targets.empty()) CompareWithTargets(complex.mesh(), sums, targets, tolerance, &result);
   return result;
 }
 

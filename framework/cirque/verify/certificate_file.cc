@@ -91,6 +91,11 @@ StatusOr<InfeasibilityCertificate> ParseInfeasibilityCertificate(const std::stri
   for (const Status& status : statuses) {
     if (!status.ok()) return status;
   }
+  if (!member->contains("triangle_face")) return certificate;
+  for (const auto& [key, values] : {std::pair("triangle_face", &certificate.triangle_face),
+                                    std::pair("triangle_corner", &certificate.triangle_corner)}) {
+    if (Status s = ReadArray(*member, key, values); !s.ok()) return s;
+  }
   return certificate;
 }
 

@@ -72,14 +72,15 @@ DiskFit FitDisk(const UvComplex& complex, double tolerance) {
     ++fit.num_vertices;
     const Point &a = complex.Tail(h), &b = complex.Tip(h);
     const double error = CircleError(a);
-    if (error > tolerance) fit.off_circle.push_back(complex.mesh().Tail(h));
+    if (error > tolerance) fit.off_circle.push_back(complex.mesh().Origin(complex.mesh().Tail(h)));
     if (fit.farthest == kNone || error > fit.largest_error) {
       fit.largest_error = error;
-      fit.farthest = complex.mesh().Tail(h);
+      fit.farthest = complex.mesh().Origin(complex.mesh().Tail(h));
     }
     if (Precedes(a, b)) continue;
     ++fit.turns;
-    if (Orientation(Point(0, 0), b, a) >= 0) fit.out_of_order.push_back(complex.mesh().Tip(h));
+    if (Orientation(Point(0, 0), b, a) >= 0)
+      fit.out_of_order.push_back(complex.mesh().Origin(complex.mesh().Tip(h)));
   }
   return fit;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <fmt/format.h>
@@ -69,7 +71,7 @@ void CheckIntervals(const InfeasibilityCertificate& certificate, InfeasibilityRe
 }
 
 void CheckForm(const InfeasibilityCertificate& certificate, const TriangleMesh& mesh,
-               InfeasibilityReport* report) {
+               Index num_faces, InfeasibilityReport* report) {
   const double epsilon = certificate.epsilon_over_pi;
   Expect(epsilon >= 0 && epsilon < 1.0 / 3,
          fmt::format("epsilon_over_pi = {} is not in [0, 1/3): no triangle has such angles anyway",
@@ -82,9 +84,84 @@ void CheckForm(const InfeasibilityCertificate& certificate, const TriangleMesh& 
   CheckNumbers("lower_over_pi", certificate.lower_over_pi, num_constrained, report);
   CheckNumbers("upper_over_pi", certificate.upper_over_pi, num_constrained, report);
   CheckIds("constrained_vertex", certificate.constrained_vertex, mesh.num_vertices, true, report);
-  CheckIds("carrying_faces", certificate.carrying_faces, mesh.num_triangles(), false, report);
+  CheckIds("carrying_faces", certificate.carrying_faces,
+           certificate.triangle_face.empty() ? mesh.num_triangles() : num_faces, false, report);
   CheckIds("carrying_vertices", certificate.carrying_vertices, mesh.num_vertices, false, report);
   if (report->accepted()) CheckIntervals(certificate, report);
+}
+
+/// The triangles that a certificate names, as the parts of one face.
+class NamedParts {
+ public:
+  NamedParts(const InfeasibilityCertificate& certificate, const PolygonSoup& in)
+      : certificate_(certificate), in_(in) {}
+
+  /// Adds those from `begin` to `end`, all of a face. False: they do not fill it.
+  bool Add(std::size_t begin, std::size_t end, TriangleMesh* mesh) const {
+    const Index f = certificate_.triangle_face[begin];
+    const Index first = in_.first_corner[f], n = in_.first_corner[f + 1] - first;
+    std::vector<FaceCorner> corners;
+    for (Index k = 0; k < n; ++k) corners.push_back({in_.corner[first + k], first + k, k});
+    const auto corner = certificate_.triangle_corner.begin();
+    const std::vector<int> parts(corner + static_cast<std::ptrdiff_t>(3 * begin),
+                                 corner + static_cast<std::ptrdiff_t>(3 * end));
+    if (!Fill(n, parts)) return false;
+    AddTriangles(f, n, corners, parts, mesh);
+    return true;
+  }
+
+ private:
+  /// Whether n - 2 triangles have the border of the polygon, in whichever direction, and every
+  /// diagonal twice.
+  static bool Fill(Index n, const std::vector<int>& parts) {
+    if (static_cast<Index>(parts.size()) != 3 * (n - 2)) return false;
+    std::set<std::pair<int, int>> open;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const int a = parts[i], b = parts[i % 3 == 2 ? i - 2 : i + 1];
+      if (a < 0 || a >= n || a == b) return false;
+      if (open.erase({b, a}) == 0 && !open.insert({a, b}).second) return false;
+    }
+    if (static_cast<Index>(open.size()) != n) return false;
+    const bool forwards = open.contains({0, 1 % n});
+    for (int k = 0; k < n; ++k) {
+      const int next = (k + 1) % n;
+      if (!open.contains(forwards ? std::pair(k, next) : std::pair(next, k))) return false;
+    }
+    return true;
+  }
+
+  const InfeasibilityCertificate& certificate_;
+  const PolygonSoup& in_;
+};
+
+/// The faces of IN, or some of them, in the triangles that the certificate names.
+StatusOr<TriangleMesh> NamedTriangles(const InfeasibilityCertificate& certificate,
+                                      const PolygonSoup& in, InfeasibilityReport* report) {
+  if (const Status faces = CheckFaces(in); !faces.ok()) return faces;
+  TriangleMesh mesh;
+  mesh.num_vertices = static_cast<Index>(in.position.size());
+  const std::vector<Index>& face = certificate.triangle_face;
+  if (certificate.triangle_corner.size() != 3 * face.size()) {
+    report->errors.push_back(fmt::format("triangle_corner has {} entries instead of {}",
+                                         certificate.triangle_corner.size(), 3 * face.size()));
+    return mesh;
+  }
+  CheckIds("triangle_face", face, in.num_polygons(), false, report);
+  const NamedParts parts(certificate, in);
+  std::vector<bool> named(in.num_polygons(), false);
+  for (std::size_t begin = 0, end = 0; report->accepted() && begin < face.size(); begin = end) {
+    while (end < face.size() && face[end] == face[begin]) ++end;
+    if (named[face[begin]] || !parts.Add(begin, end, &mesh)) {
+      report->errors.push_back(
+          fmt::format("the triangles named of face {} do not fill it, or not one after the other",
+                      face[begin]));
+      break;
+    }
+    named[face[begin]] = true;
+  }
+  report->num_faces_left_out = static_cast<Index>(std::count(named.begin(), named.end(), false));
+  report->names_triangles = true;
+  return mesh;
 }
 
 /// Per vertex how many corners it has and whether it is on the boundary.
@@ -207,16 +284,18 @@ void CompareWithAsked(InfeasibilityCertificate certificate, const Surface& surfa
 
 StatusOr<InfeasibilityReport> CheckInfeasibility(const InfeasibilityCertificate& given,
                                                  const PolygonSoup& in, const AngleTargets& asked) {
-  StatusOr<TriangleMesh> mesh = FanTriangulate(in);
+  InfeasibilityReport report;
+  StatusOr<TriangleMesh> mesh =
+      given.triangle_face.empty() ? FanTriangulate(in) : NamedTriangles(given, in, &report);
   if (!mesh.ok()) return mesh.status().In("IN");
+  if (!report.accepted()) return report;
   StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
   if (!surface.ok()) return surface.status().In("IN");
-  InfeasibilityReport report;
   report.num_triangles = surface->mesh.num_triangles();
   report.epsilon_over_pi = given.epsilon_over_pi;
   report.removed_vertex = given.removed_vertex;
   InfeasibilityCertificate certificate = given;
-  CheckForm(certificate, surface->mesh, &report);
+  CheckForm(certificate, surface->mesh, in.num_polygons(), &report);
   if (report.accepted() && certificate.removed_vertex != kNone) {
     RemoveVertex(&*surface, &certificate, &report);
   }

@@ -15,6 +15,8 @@ namespace cirque::verify {
 struct InfeasibilityReport {
   std::vector<std::string> errors;  ///< why it is rejected; empty for an accepted one
   Index num_triangles = 0;
+  bool names_triangles = false;  ///< whether the certificate says which triangles the faces are in
+  Index num_faces_left_out = 0;  ///< faces that it does not name: parts of another component
   double epsilon_over_pi = 0;
   Index removed_vertex = kNone;    ///< if any, the one without whose triangles all this is meant
   double link_upper_over_pi = 1;   ///< the least that its neighbours' angle sums are limited to
@@ -38,9 +40,10 @@ struct InfeasibilityReport {
   std::string Verdict() const;
 };
 
-/// Checks the inequality of core/infeasibility.h in exact arithmetic on the triangles of `in` (fans
-/// of its polygons), with adjacency found here. All numbers in the certificate are taken to be
-/// exactly the doubles they are.
+/// Checks the inequality of core/infeasibility.h in exact arithmetic on the triangles of `in`: those
+/// that the certificate names, which must fill their faces, or else fans of the polygons; adjacency
+/// is found here. Faces that it does not name are no part of its claim. All numbers in the
+/// certificate are taken to be exactly the doubles they are.
 ///
 /// Epsilon > 0: coherent angles with that margin lie in the closed sets Q_e, so the left side must
 /// be strictly larger. Epsilon = 0: coherent angles are positive and alpha_l + alpha_r < pi (at the

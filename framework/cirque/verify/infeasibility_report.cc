@@ -81,7 +81,13 @@ std::string InfeasibilityReport::Verdict() const {
 
 std::string ToText(const InfeasibilityReport& report) {
   std::string text = report.evaluated ? TargetLine(report) : "";
-  text += Line("triangles", fmt::format("{}", report.num_triangles));
+  text += Line("triangles",
+               fmt::format("{}{}", report.num_triangles,
+                           report.names_triangles ? ", as the certificate names them" : ""));
+  if (report.num_faces_left_out > 0) {
+    text += Line("", fmt::format("not about {} of the file",
+                                 Count(report.num_faces_left_out, "other face")));
+  }
   text +=
       Line("margin eps",
            fmt::format("{:.6g} pi{}", report.epsilon_over_pi,
@@ -107,6 +113,7 @@ std::string ToJson(const InfeasibilityReport& report) {
   json["verdict"] = report.Verdict();
   json["errors"] = report.errors;
   json["triangles"] = report.num_triangles;
+  json["faces_left_out"] = report.num_faces_left_out;
   json["epsilon_over_pi"] = report.epsilon_over_pi;
   if (report.removed_vertex != kNone) {
     json["removed_vertex"] = report.removed_vertex;

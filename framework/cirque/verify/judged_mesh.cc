@@ -59,9 +59,9 @@ namespace {
 
 class Builder {
  public:
-  Builder(const PolygonSoup& in, const std::vector<bool>& turned, const MeshMatch& match,
-          const ImageOf& image_of)
-      : in_(in), turned_(turned), match_(match), image_of_(image_of) {
+  Builder(const PolygonSoup& in, const JudgedFaces& faces, const MeshMatch& match,
+          const ImageOf& image_of, const SameImage& same)
+      : in_(in), faces_(faces), match_(match), image_of_(image_of), same_(same) {
     reversed_.assign(in.num_polygons(), false);
     for (const Index f : match.faces.reversed) reversed_[f] = true;
     judged_.mesh.num_vertices = static_cast<Index>(in.position.size());
@@ -69,6 +69,7 @@ class Builder {
 
   JudgedMesh Build() {
     for (Index f = 0; f < in_.num_polygons(); ++f) {
+      if (faces_.left_out[f]) continue;
       const auto cut = match_.faces.pieces.find(f);
       if (cut == match_.faces.pieces.end()) {
         const Index g = match_.faces.out_face[f];
@@ -83,14 +84,20 @@ class Builder {
 
  private:
   void AddPart(Index f, Index g, const std::vector<int>& places) {
-    const auto n = static_cast<int>(match_.in.NumCorners(f));
+    auto n = static_cast<int>(match_.in.NumCorners(f));
+    const bool turned = faces_.turned[f], is_whole = static_cast<int>(places.size()) == n;
     corners_.clear();
     for (std::size_t k = 0; k < places.size(); ++k) {
       corners_.push_back({in_.corner[in_.first_corner[f] + places[k]],
                           match_.out.first_corner[g] + static_cast<Index>(k),
-                          turned_[f] ? n - 1 - places[k] : places[k]});
+                          turned ? n - 1 - places[k] : places[k]});
     }
-    if (reversed_[f] != turned_[f]) std::reverse(corners_.begin(), corners_.end());
+    if (reversed_[f] != turned) std::reverse(corners_.begin(), corners_.end());
+    if (is_whole) {
+      DropRepeatedCorners(same_, &corners_);
+      n = static_cast<int>(corners_.size());
+      if (n < 3) return Note(f, PolygonShape::kZeroArea);
+    }
     const auto [shape, triangles] = image_of_(corners_);
     Note(f, shape);
     AddTriangles(f, n, corners_, triangles, &judged_.mesh);
@@ -109,9 +116,10 @@ class Builder {
   }
 
   const PolygonSoup& in_;
-  const std::vector<bool>& turned_;
+  const JudgedFaces& faces_;
   const MeshMatch& match_;
   const ImageOf& image_of_;
+  const SameImage& same_;
   std::vector<bool> reversed_;
   std::vector<FaceCorner> corners_;
   JudgedMesh judged_;
@@ -119,9 +127,9 @@ class Builder {
 
 }  // namespace
 
-JudgedMesh BuildJudgedMesh(const PolygonSoup& in, const std::vector<bool>& turned,
-                           const MeshMatch& match, const ImageOf& image_of) {
-  return Builder(in, turned, match, image_of).Build();
+JudgedMesh BuildJudgedMesh(const PolygonSoup& in, const JudgedFaces& faces, const MeshMatch& match,
+                           const ImageOf& image_of, const SameImage& same) {
+  return Builder(in, faces, match, image_of, same).Build();
 }
 
 namespace {

@@ -23,6 +23,9 @@ struct Orientations {
 using ImageOf = std::function<std::pair<PolygonShape, std::vector<int>>(
     const std::vector<FaceCorner>& corners)>;
 
+/// Whether two corners have the same image.
+using SameImage = std::function<bool(const FaceCorner&, const FaceCorner&)>;
+
 /// The mesh that is judged: IN's faces with IN's vertices, in IN's order and orientation, with the
 /// corners that OUT has there.
 struct JudgedMesh {
@@ -30,10 +33,17 @@ struct JudgedMesh {
   Orientations orientations;
 };
 
-/// IN's orientation of a face, where `turned` tells the faces that run against their neighbours in
-/// IN, is the direction in which it is judged, whatever OUT's is.
-JudgedMesh BuildJudgedMesh(const PolygonSoup& in, const std::vector<bool>& turned,
-                           const MeshMatch& match, const ImageOf& image_of);
+/// How IN's faces are to be taken.
+struct JudgedFaces {
+  std::vector<bool> turned;  ///< run against their neighbours in IN
+  std::vector<bool> left_out;
+};
+
+/// IN's orientation of a face, or the opposite one where it is turned, is the direction in which it
+/// is judged, whatever OUT's is. Corners that repeat the vertex of the one before, with the same
+/// image, count once.
+JudgedMesh BuildJudgedMesh(const PolygonSoup& in, const JudgedFaces& faces, const MeshMatch& match,
+                           const ImageOf& image_of, const SameImage& same);
 
 /// Per face of IN whether it was turned to agree with its neighbours.
 std::vector<bool> TurnedFaces(const PolygonSoup& in, const Surface& surface);

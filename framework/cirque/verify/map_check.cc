@@ -1,5 +1,6 @@
 #include "cirque/verify/map_check.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "cirque/verify/findings.h"
 #include "cirque/verify/polygon_check.h"
 #include "cirque/verify/report_words.h"
+#include "cirque/verify/set_aside.h"
 
 namespace cirque::verify {
 namespace {
@@ -99,6 +101,13 @@ bool JudgeUvs(const PolygonSoup& out, MapReport* report) {
   return report->without_uv.empty() && report->not_finite.empty();
 }
 
+bool RepeatsVertex(const std::vector<FaceCorner>& corners) {
+  std::vector<Index> vertices;
+  for (const FaceCorner& corner : corners) vertices.push_back(corner.vertex);
+  std::sort(vertices.begin(), vertices.end());
+  return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+}
+
 /// The shape of a face in the plane, and triangles that fill it where it is simple.
 ImageOf ImageInPlane(const PolygonSoup& out) {
   return [&out](const std::vector<FaceCorner>& corners) {
@@ -108,10 +117,14 @@ ImageOf ImageInPlane(const PolygonSoup& out) {
     }
     const auto n = static_cast<int>(polygon.size());
     const PolygonShape shape = ShapeOf(polygon);
+    const auto turn = [&](int i, int j, int k) {
+      return Orientation(polygon[i], polygon[j], polygon[k]);
+    };
     std::vector<int> triangles;
-    if (n > 3 && shape == PolygonShape::kSimple) {
-      triangles = CutEars(
-          n, [&](int i, int j, int k) { return Orientation(polygon[i], polygon[j], polygon[k]); });
+    if (n > 3 && shape == PolygonShape::kSimple) triangles = CutEars(n, turn);
+    if (n > 3 && shape == PolygonShape::kFolded && RepeatsVertex(corners)) {
+      triangles = CutEars(n, turn, [&](int i, int k) { return polygon[i] == polygon[k]; });
+      if (!triangles.empty()) return std::pair(PolygonShape::kSimple, std::move(triangles));
     }
     if (triangles.empty()) triangles = CutFan(n);
     return std::pair(shape, std::move(triangles));
@@ -140,7 +153,7 @@ void JudgeMap(const UvComplex& complex, const VerifyOptions& options, MapReport*
 }
 
 /// Judges what OUT's corners make of IN's faces, all of which were found.
-void JudgeFaces(const PolygonSoup& in, const PolygonSoup& out, const Surface& in_surface,
+void JudgeFaces(const PolygonSoup& in, const PolygonSoup& out, JudgedFaces faces,
                 const VerifyOptions& options, MapReport* report) {
   const std::vector<Index> folded = FoldedTriangulations(in, report->match);
   if (!folded.empty()) {
@@ -149,10 +162,17 @@ void JudgeFaces(const PolygonSoup& in, const PolygonSoup& out, const Surface& in
                     Count(folded.size(), "polygon"), IdList(folded)));
   }
   if (!JudgeUvs(out, report)) return;
-  JudgedMesh judged =
-      BuildJudgedMesh(in, TurnedFaces(in, in_surface), report->match, ImageInPlane(out));
+  faces.left_out = KeepInLine(faces.left_out, in, report->match, out);
+  for (Index f = 0; f < in.num_polygons(); ++f) {
+    if (faces.left_out[f]) report->set_aside.push_back(f);
+  }
+  const auto same = [&](const FaceCorner& a, const FaceCorner& b) {
+    return out.texture[out.corner_texture[a.soup_corner]] ==
+           out.texture[out.corner_texture[b.soup_corner]];
+  };
+  JudgedMesh judged = BuildJudgedMesh(in, faces, report->match, ImageInPlane(out), same);
   report->orientations = std::move(judged.orientations);
-  StatusOr<Surface> surface = BuildSurface(std::move(judged.mesh));
+  StatusOr<Surface> surface = BuildSurface(std::move(judged.mesh), Joints::kOpen);
   if (!surface.ok()) {
     report->errors.push_back("OUT: " + surface.status().message());
     return;
@@ -160,6 +180,7 @@ void JudgeFaces(const PolygonSoup& in, const PolygonSoup& out, const Surface& in
   std::vector<Point> uv;
   uv.reserve(surface->mesh.soup_corner.size());
   for (const Index c : surface->mesh.soup_corner) uv.push_back(out.texture[out.corner_texture[c]]);
+  report->num_split = surface->mesh.num_vertices - static_cast<Index>(in.position.size());
   report->complex = BuildUvComplex(*std::move(surface), std::move(uv));
   JudgeMap(*report->complex, options, report);
 }
@@ -182,22 +203,31 @@ StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
   if (!status.ok()) return status.In("IN");
   status = CheckFaces(out);
   if (!status.ok()) return status.In("OUT");
-  StatusOr<TriangleMesh> mesh = FanTriangulate(in);
+  status = CheckFaces(in);
+  if (!status.ok()) return status.In("IN");
+  JudgedFaces faces{{}, MaySetAside(in)};
+  std::vector<bool> keep = faces.left_out;
+  keep.flip();
+  if (std::find(keep.begin(), keep.end(), true) == keep.end()) {
+    return Status::InvalidInput("no face has an area; nothing to map").In("IN");
+  }
+  StatusOr<TriangleMesh> mesh = FanTriangulate(in, &keep);
   if (!mesh.ok()) return mesh.status().In("IN");
-  const StatusOr<Surface> surface = BuildSurface(*std::move(mesh));
+  const StatusOr<Surface> surface = BuildSurface(*std::move(mesh), Joints::kOpen);
   if (!surface.ok()) return surface.status().In("IN");
+  faces.turned = TurnedFaces(in, *surface);
   MapReport report;
   report.noun = FaceNoun(in);
   report.num_faces = in.num_polygons();
   report.num_triangles = surface->mesh.num_triangles();
-  report.num_vertices = surface->mesh.num_vertices;
+  report.num_vertices = static_cast<Index>(in.position.size());
   for (const Index t : surface->turned) {
     const Index f = surface->mesh.face[t];
     if (report.turned.empty() || report.turned.back() != f) report.turned.push_back(f);
   }
   report.match = MatchMeshes(in, out, options.position_tolerance);
   report.errors = MatchErrors(in, out, report.match, options.position_tolerance);
-  if (report.match.faces.complete()) JudgeFaces(in, out, *surface, options, &report);
+  if (report.match.faces.complete()) JudgeFaces(in, out, std::move(faces), options, &report);
   return report;
 }
 

@@ -32,7 +32,7 @@ struct VerifyOptions {
 struct QualityFigures {
   std::string lines;                                   ///< for people
   std::vector<std::pair<std::string, double>> values;  ///< by name, for programs
-  Index worst_triangle = kNone;  ///< of the largest quasi-conformal distortion
+  Index worst_triangle = kNone;  ///< IN's face with the largest quasi-conformal distortion
 };
 
 /// What was found. Faces and vertices are IN's, numbered from 0. A part that could not be judged,
@@ -45,6 +45,8 @@ struct MapReport {
   Index num_vertices = 0;
   MeshMatch match;
   std::vector<Index> turned;      ///< faces that run against their neighbours in IN
+  std::vector<Index> set_aside;   ///< faces left out of all that follows (set_aside.h)
+  Index num_split = 0;            ///< vertices added where IN touches itself
   std::vector<Index> without_uv;  ///< faces that lack a UV
   std::vector<Index> not_finite;  ///< faces with a NaN or an infinite UV
   std::optional<Orientations> orientations;
@@ -63,9 +65,13 @@ struct MapReport {
 
 /// Judges the map that OUT's texture coordinates are of the surface IN. Its faces are found by
 /// their corners (mesh_match.h), and their orientation in IN is the one that counts; OUT may have
-/// IN's polygons cut up. A wrong map is a report with errors; a status is returned when IN itself
-/// cannot be mapped (no faces, not an orientable manifold, coordinates that are not finite) or an
-/// option makes no sense.
+/// IN's polygons cut up. Polygons are judged as such: the image of one must be a simple polygon of
+/// the right orientation, or one that touches itself only where IN's does, at a vertex that it has
+/// twice. IN may be in several components, each of which agrees with itself; edges of three faces or
+/// more are taken for open, each fan of faces at a vertex for one with a vertex of its own
+/// (BuildSurface), and what has no area, or is there twice, for set aside (set_aside.h). A wrong map
+/// is a report with errors; a status is returned when IN itself cannot be mapped (no faces, not
+/// orientable, coordinates that are not finite) or an option makes no sense.
 StatusOr<MapReport> VerifyMap(const PolygonSoup& in, const PolygonSoup& out,
                               const VerifyOptions& options);
 

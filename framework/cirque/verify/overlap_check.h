@@ -22,12 +22,9 @@ struct OverlapResult {
   bool overlaps() const { return overlap || !wrapped_boundary.empty(); }
 };
 
-/// Decides exactly whether a map is injective, in O(n log n). It must be locally injective: every
-/// triangle counterclockwise, the triangles round every inner vertex turning once.
-///
-/// Why the boundary decides: how many triangles cover a point off all edges is how often the
-/// boundary of the patches, with the map on its left, winds about it, since inner edges cancel. So
-/// the map is injective exactly where no winding number is above 1 (boundary_sweep.h).
+/// Decides exactly whether a map is injective (math/image_overlap.h, which the pipeline decides by
+/// too: it asks nothing but coordinates). It must be locally injective: every triangle
+/// counterclockwise, the triangles round every inner vertex turning once.
 OverlapResult CheckOverlap(const UvComplex& complex);
 
 }  // namespace cirque::verify

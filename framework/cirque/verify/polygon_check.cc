@@ -1,9 +1,10 @@
 #include "cirque/verify/polygon_check.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
-#include "cirque/verify/boundary_sweep.h"
+#include "cirque/math/boundary_sweep.h"
 
 namespace cirque::verify {
 namespace {
@@ -29,14 +30,6 @@ bool IsConvex(const std::vector<Point>& polygon) {
   return changes == 2;
 }
 
-bool IsOnOneLine(const std::vector<Point>& polygon) {
-  const auto other =
-      std::find_if(polygon.begin(), polygon.end(), [&](const Point& p) { return p != polygon[0]; });
-  return other == polygon.end() || std::all_of(polygon.begin(), polygon.end(), [&](const Point& p) {
-           return Orientation(polygon[0], *other, p) == 0;
-         });
-}
-
 /// The turn of a simple polygon at its leftmost (of these, lowest) corner, where it is convex.
 int Sense(const std::vector<Point>& polygon) {
   const auto leftmost = std::min_element(polygon.begin(), polygon.end(), LexicographicallyLess);
@@ -45,6 +38,14 @@ int Sense(const std::vector<Point>& polygon) {
 }
 
 }  // namespace
+
+bool IsOnOneLine(const std::vector<Point>& polygon) {
+  const auto other =
+      std::find_if(polygon.begin(), polygon.end(), [&](const Point& p) { return p != polygon[0]; });
+  return other == polygon.end() || std::all_of(polygon.begin(), polygon.end(), [&](const Point& p) {
+           return Orientation(polygon[0], *other, p) == 0;
+         });
+}
 
 PolygonShape ShapeOf(const std::vector<Point>& polygon) {
   const std::size_t n = polygon.size();
@@ -56,7 +57,7 @@ PolygonShape ShapeOf(const std::vector<Point>& polygon) {
     edges.push_back({polygon[i], polygon[(i + 1) % n]});
     if (edges.back().tail == edges.back().tip) return PolygonShape::kFolded;
   }
-  if (FindOverlap(edges, Contacts::kNone)) return PolygonShape::kFolded;
+  if (FindOverlap(edges, Contacts::kEndsOnly)) return PolygonShape::kFolded;
   return OfSign(Sense(polygon));
 }
 
@@ -65,7 +66,8 @@ namespace {
 /// A ring of corners from which ears are cut.
 class EarCutter {
  public:
-  EarCutter(int n, const Turn& turn) : turn_(turn), next_(n), previous_(n), reflex_(n) {
+  EarCutter(int n, const Turn& turn, const Coincide& coincide)
+      : turn_(turn), coincide_(coincide), next_(n), previous_(n), reflex_(n) {
     for (int i = 0; i < n; ++i) {
       next_[i] = (i + 1) % n;
       previous_[i] = (i + n - 1) % n;
@@ -104,8 +106,21 @@ class EarCutter {
     const int a = previous_[i], c = next_[i];
     std::erase_if(reflex_corners_, [&](int k) { return !reflex_[k]; });
     return std::none_of(reflex_corners_.begin(), reflex_corners_.end(), [&](int k) {
-      return k != a && k != c && turn_(a, i, k) >= 0 && turn_(i, c, k) >= 0 && turn_(c, a, k) >= 0;
+      return k != a && k != c && IsInWay(k, {a, i, c});
     });
+  }
+
+  /// Whether corner k lies in the closed triangle; at a corner of it, whether the border leaves k
+  /// into the triangle.
+  bool IsInWay(int k, const std::array<int, 3>& ear) const {
+    for (int m = 0; coincide_ && m < 3; ++m) {
+      if (!coincide_(k, ear[m])) continue;
+      const int right = ear[(m + 1) % 3], left = ear[(m + 2) % 3];
+      const auto inside = [&](int to) { return turn_(k, right, to) > 0 && turn_(k, to, left) > 0; };
+      return inside(previous_[k]) || inside(next_[k]);
+    }
+    return turn_(ear[0], ear[1], k) >= 0 && turn_(ear[1], ear[2], k) >= 0 &&
+           turn_(ear[2], ear[0], k) >= 0;
   }
 
   /// Takes a corner out of the ring; what it leaves at its sides may have become convex. Goes on
@@ -120,6 +135,7 @@ class EarCutter {
   }
 
   const Turn& turn_;
+  const Coincide& coincide_;
   std::vector<int> next_, previous_;
   std::vector<char> reflex_;
   std::vector<int> reflex_corners_;
@@ -127,8 +143,8 @@ class EarCutter {
 
 }  // namespace
 
-std::vector<int> CutEars(int num_corners, const Turn& turn) {
-  return EarCutter(num_corners, turn).Cut();
+std::vector<int> CutEars(int num_corners, const Turn& turn, const Coincide& coincide) {
+  return EarCutter(num_corners, turn, coincide).Cut();
 }
 
 std::vector<int> CutFan(int num_corners) {

@@ -63,6 +63,8 @@ bool KeepTriangles(const std::vector<bool>& keep, const std::string& what, Surfa
       rest.vertex.insert(rest.vertex.end(), corner, corner + 3);
       const auto inside = surface->mesh.diagonal.begin() + 3 * f;
       rest.diagonal.insert(rest.diagonal.end(), inside, inside + 3);
+      const auto place = surface->mesh.place.begin() + 3 * f;
+      rest.place.insert(rest.place.end(), place, place + 3);
       rest.face.push_back(surface->mesh.face[f]);
       multiplier.push_back(certificate->face_multiplier[f]);
     } else if (certificate->face_multiplier[f] != 0) {

@@ -24,6 +24,8 @@ void PutMatch(const MapReport& report, Json* json) {
   (*json)["faces"] = report.num_faces;
   (*json)["triangles"] = report.num_triangles;
   (*json)["vertices"] = report.num_vertices;
+  PutIds("set_aside_faces", report.set_aside, json);
+  (*json)["split_vertices"] = report.num_split;
   (*json)["same_order"] = match.faces.same_order;
   (*json)["matched_by_position"] = match.by_position;
   (*json)["polygons_in_pieces"] = match.faces.pieces.size();

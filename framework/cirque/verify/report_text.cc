@@ -28,10 +28,19 @@ std::string MatchLine(const MapReport& report) {
   return Line(report.noun + "s", text);
 }
 
+std::string RepairLine(const MapReport& report) {
+  if (report.set_aside.empty() && report.num_split == 0) return "";
+  return Line("repaired",
+              fmt::format("{} of IN set aside{}, {} added where fans of faces meet",
+                          Count(report.set_aside.size(), "face"),
+                          report.set_aside.empty() ? "" : " (" + IdList(report.set_aside) + ")",
+                          Count(report.num_split, "vertex")));
+}
+
 std::string MeshLines(const MapReport& report) {
   const MeshMatch& match = report.match;
   std::string text =
-      MatchLine(report) +
+      RepairLine(report) + MatchLine(report) +
       Line("vertices",
            fmt::format("{}{}, largest displacement {:.3g} of the bounding box", report.num_vertices,
                        match.by_position ? ", matched by their positions" : "",
@@ -74,10 +83,10 @@ std::string AngleLines(const AngleMeasures& angles) {
          Line("Delaunay margin", fmt::format("{:.6g} rad", angles.delaunay_margin));
 }
 
-std::string QualityLines(const QualityFigures& quality) {
+std::string QualityLines(const QualityFigures& quality, const std::string& noun) {
   if (quality.worst_triangle == kNone) return quality.lines;
   return quality.lines +
-         Line("least conformal", fmt::format("triangle {}", quality.worst_triangle));
+         Line("least conformal", fmt::format("{} {}", noun, quality.worst_triangle));
 }
 
 std::string SeamLines(const UvComplex& complex, const SeamAgreement& seams) {
@@ -122,7 +131,7 @@ std::string ToText(const MapReport& report) {
                                             report.disk->largest_error, report.disk->turns));
   }
   if (report.overlap) text += OverlapLines(*report.complex, *report.overlap);
-  if (report.quality) text += QualityLines(*report.quality);
+  if (report.quality) text += QualityLines(*report.quality, report.noun);
   return text + "verdict: " + report.Verdict() + "\n";
 }
 

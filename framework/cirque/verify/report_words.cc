@@ -24,8 +24,9 @@ std::string FaceNoun(const PolygonSoup& soup) {
 }
 
 std::string NameEdge(const UvComplex& complex, Index halfedge) {
-  return fmt::format("edge ({}, {}) of face {}", complex.mesh().Tail(halfedge),
-                     complex.mesh().Tip(halfedge), complex.FaceOf(halfedge));
+  const TriangleMesh& mesh = complex.mesh();
+  return fmt::format("edge ({}, {}) of face {}", mesh.Origin(mesh.Tail(halfedge)),
+                     mesh.Origin(mesh.Tip(halfedge)), complex.FaceOf(halfedge));
 }
 
 std::string Line(const std::string& name, const std::string& text) {

@@ -98,7 +98,8 @@ void CompareWithList(const UvComplex& complex, const std::vector<VertexPair>& ed
   for (const auto& [a, b] : edges) wanted.insert(std::minmax(a, b));
   for (Index h = 0; h < static_cast<Index>(complex.uv.size()); ++h) {
     if (!complex.IsSeam(h)) continue;
-    cut.insert(std::minmax({complex.mesh().Tail(h), complex.mesh().Tip(h)}));
+    cut.insert(std::minmax({complex.mesh().Origin(complex.mesh().Tail(h)),
+                            complex.mesh().Origin(complex.mesh().Tip(h))}));
   }
   std::set_difference(wanted.begin(), wanted.end(), cut.begin(), cut.end(),
                       std::inserter(missing, missing.end()));

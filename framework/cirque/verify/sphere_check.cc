@@ -166,8 +166,9 @@ StatusOr<SphereReport> VerifySphereMap(const PolygonSoup& in, const PolygonSoup&
                                         Count(reversed.size(), report.noun), IdList(reversed)));
   }
   if (!JudgePoints(surface->mesh, out.position, options.radius_tolerance, &report)) return report;
-  JudgedMesh judged =
-      BuildJudgedMesh(in, TurnedFaces(in, *surface), report.match, ImageOnSphere(out.position));
+  const JudgedFaces faces{TurnedFaces(in, *surface), std::vector<bool>(in.num_polygons(), false)};
+  JudgedMesh judged = BuildJudgedMesh(in, faces, report.match, ImageOnSphere(out.position),
+                                      [](const FaceCorner&, const FaceCorner&) { return true; });
   const StatusOr<std::vector<Index>> twin = PairHalfedges(judged.mesh);
   if (!twin.ok()) return twin.status().In("OUT");
   report.orientations = std::move(judged.orientations);

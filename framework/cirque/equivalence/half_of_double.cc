@@ -1,0 +1,160 @@
+#include "cirque/equivalence/half_of_double.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "cirque/intrinsic/flip_complex.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/intrinsic/normal_coordinates.h"
+#include "cirque/intrinsic/ptolemy_complex.h"
+#include "cirque/intrinsic/restore_edges.h"
+
+namespace cirque {
+namespace {
+
+EdgeLengths NoLengths(const Triangulation& t) { return {Eigen::VectorXd::Zero(t.num_edges())}; }
+
+/// Edges of the double that are on the surface's boundary: those of its boundary halfedges.
+std::vector<bool> MirrorLine(const Triangulation& surface, const Triangulation& doubled) {
+  std::vector<bool> mirror(doubled.num_edges(), false);
+  for (Index h = 0; h < surface.num_halfedges(); ++h) {
+    if (surface.twin[h] == kNone) mirror[doubled.edge[h]] = true;
+  }
+  return mirror;
+}
+
+/// Numbers the faces that lie on the surface: what begins behind their first side is of it.
+std::vector<Index> FacesOfHalf(const NormalCoordinates& normal, Index faces_of_surface) {
+  const Index faces = normal.complex().num_halfedges() / 3;
+  std::vector<Index> number(faces, kNone);
+  Index next = 0;
+  for (Index f = 0; f < faces; ++f) {
+    const Index begins_in = Triangulation::Face(normal.InputCorner(3 * f, -1));
+    if (begins_in < faces_of_surface) number[f] = next++;
+  }
+  return number;
+}
+
+/// A halfedge of the double's as one of the half's.
+Index InHalf(const std::vector<Index>& face_of_half, Index h) {
+  const Index f = face_of_half[Triangulation::Face(h)];
+  return f == kNone ? kNone : 3 * f + h % 3;
+}
+
+/// The half as a triangulation, with the flat lengths.
+IntrinsicTriangulation CutOut(const Triangulation& surface, const NormalCoordinates& normal,
+                              const FlipComplex& metric, const std::vector<Index>& face_of_half) {
+  std::vector<Index> vertex, twin, of_double;
+  for (Index h = 0; h < metric.num_halfedges(); ++h) {
+    if (InHalf(face_of_half, h) == kNone) continue;
+    vertex.push_back(metric.vertex(h));
+    twin.push_back(InHalf(face_of_half, metric.twin(h)));
+    of_double.push_back(h);
+  }
+  IntrinsicTriangulation cut_out;
+  cut_out.triangulation = NumberEdges(surface.num_vertices, std::move(vertex), std::move(twin));
+  const Triangulation& t = cut_out.triangulation;
+  cut_out.lengths = NoLengths(t);
+  cut_out.edge_of_input.assign(surface.num_edges(), kNone);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index there = of_double[h];
+    cut_out.lengths.value[t.edge[h]] = metric.length(there);
+    if (!normal.IsShared(there)) continue;
+    const Index input = normal.SharedHalfedge(there);
+    if (input < surface.num_halfedges()) cut_out.edge_of_input[surface.edge[input]] = t.edge[h];
+  }
+  return cut_out;
+}
+
+}  // namespace
+
+EquivalentTriangulation TakeWhole(const Triangulation& surface, const LogScalesResult& result,
+                                  const EdgeLengths& flat) {
+  IntrinsicTriangulation scaled = result.intrinsic;
+  scaled.lengths = flat;
+  return {{surface, result.delaunay, std::move(scaled), result.log_scale}, {}};
+}
+
+std::optional<HalfOfDouble> TakeHalf(const Triangulation& surface, const LogScalesResult& result,
+                                     const EdgeLengths& flat, EquivalentTriangulation* whole) {
+  const DoubledSurface doubled = DoubleSurface(surface, NoLengths(surface));
+  const Triangulation &input = doubled.triangulation, &solved = result.intrinsic.triangulation;
+  NormalCoordinates normal(input);
+  for (const Index h : result.intrinsic.flips) normal.Flip(h);
+  FlipComplex metric(solved, flat);
+  std::vector<Index> back;
+  if (!RestoreEdges(input, MirrorLine(surface, input), &normal, &metric, &back)) return {};
+  whole->face_of_half = FacesOfHalf(normal, surface.num_faces());
+  const auto mirrored = std::count(whole->face_of_half.begin(), whole->face_of_half.end(), kNone);
+  if (mirrored != surface.num_faces()) return {};
+  HalfOfDouble half;
+  half.half = CutOut(surface, normal, metric, whole->face_of_half);
+  half.angles = MeasureCornerAngles(half.half.triangulation, half.half.lengths);
+  PtolemyComplex ideal(solved, result.log_lengths);
+  for (const Index h : back) ideal.Flip(h);
+  ScaledTriangulation& of = whole->whole;
+  of.input = input;
+  of.delaunay = result.delaunay;
+  of.scaled.triangulation = ideal.MakeTriangulation(input.num_vertices);
+  of.scaled.lengths.value = ideal.MakeLogLengths(of.scaled.triangulation).array().exp();
+  of.scaled.flips = result.intrinsic.flips;
+  of.scaled.flips.insert(of.scaled.flips.end(), back.begin(), back.end());
+  of.log_scale.resize(input.num_vertices);
+  for (Index v = 0; v < input.num_vertices; ++v) {
+    of.log_scale[v] = result.log_scale[doubled.original[v]];
+  }
+  return half;
+}
+
+namespace {
+
+/// What of a double's overlay is of the half.
+Overlay HalfOf(const Overlay& whole, const std::vector<Index>& face_of_half, Index num_vertices) {
+  Overlay part;
+  part.num_vertices = num_vertices;
+  part.first_corner.assign(1, 0);
+  std::vector<Index> number(whole.num_vertices + whole.crossing.size(), kNone);
+  for (Index v = 0; v < part.num_vertices; ++v) number[v] = v;
+  for (Index p = 0; p < whole.num_faces(); ++p) {
+    const Index f = face_of_half[whole.other_face[p]];
+    if (f == kNone) continue;
+    for (Index c = whole.first_corner[p]; c < whole.first_corner[p + 1]; ++c) {
+      const Overlay::Corner& corner = whole.corner[c];
+      Index& vertex = number[corner.vertex];
+      if (vertex == kNone) {
+        vertex = part.num_vertices + static_cast<Index>(part.crossing.size());
+        part.crossing.push_back(whole.crossing[corner.vertex - whole.num_vertices]);
+        part.crossing.back().other = InHalf(face_of_half, part.crossing.back().other);
+      }
+      part.corner.push_back({vertex, corner.input, InHalf(face_of_half, corner.other)});
+    }
+    part.first_corner.push_back(static_cast<Index>(part.corner.size()));
+    part.input_face.push_back(whole.input_face[p]);
+    part.other_face.push_back(f);
+  }
+  return part;
+}
+
+/// The vertices of the surface come first among those of its double.
+Index VerticesOfHalf(const EquivalentTriangulation& equivalent) {
+  const Triangulation& t = equivalent.whole.scaled.triangulation;
+  Index most = 0;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    if (InHalf(equivalent.face_of_half, h) != kNone) most = std::max(most, t.vertex[h]);
+  }
+  return most + 1;
+}
+
+}  // namespace
+
+StatusOr<Overlay> OverlayOf(const EquivalentTriangulation& equivalent, std::int64_t most_faces) {
+  if (equivalent.face_of_half.empty()) return OverlayThroughDelaunay(equivalent.whole, most_faces);
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
+  const StatusOr<Overlay> whole =
+      OverlayThroughDelaunay(equivalent.whole, 2 * std::min(most_faces, kMost));
+  if (!whole.ok()) return whole.status();
+  return HalfOf(*whole, equivalent.face_of_half, VerticesOfHalf(equivalent));
+}
+
+}  // namespace cirque

@@ -1,0 +1,307 @@
+#include "cirque/equivalence/solve_log_scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cirque/core/parallel.h"
+#include "cirque/intrinsic/ptolemy_complex.h"
+#include "cirque/math/compensated_sum.h"
+#include "cirque/solver/newton_strategies.h"
+
+namespace cirque {
+namespace {
+
+constexpr double kAcceptedResidual = 1e-10;  ///< [rad]
+constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double kNearResidual = 1e-6;  ///< [rad]: the solution, but for rounding
+constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
+constexpr int kMostStepsOnPath = 20;
+constexpr int kMostSolves = 3;  ///< each on a triangulation flipped anew
+
+/// The mirror image of a halfedge of a surface with that many.
+Index MirrorHalfedge(Index h, Index num_halfedges) {
+  const Index k = h % 3;
+  return num_halfedges + h - k + (k == 0 ? 0 : 3 - k);
+}
+
+}  // namespace
+
+DoubledSurface DoubleSurface(const Triangulation& t, const EdgeLengths& lengths) {
+  const Index n = t.num_halfedges();
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  DoubledSurface doubled;
+  std::vector<Index> image(t.num_vertices);
+  for (Index v = 0; v < t.num_vertices; ++v) doubled.original.push_back(v);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    image[v] = boundary[v] ? v : static_cast<Index>(doubled.original.size());
+    if (!boundary[v]) doubled.original.push_back(v);
+  }
+  std::vector<Index> vertex(t.vertex), twin(t.twin);
+  vertex.resize(2 * n);
+  twin.resize(2 * n);
+  for (Index h = 0; h < n; ++h) {
+    const Index mirror = MirrorHalfedge(h, n);
+    vertex[mirror] = image[t.vertex[h]];
+    twin[mirror] = t.twin[h] == kNone ? h : MirrorHalfedge(t.twin[h], n);
+    if (t.twin[h] == kNone) twin[h] = mirror;
+  }
+  doubled.triangulation =
+      NumberEdges(static_cast<Index>(doubled.original.size()), std::move(vertex), std::move(twin));
+  doubled.lengths.value.resize(doubled.triangulation.num_edges());
+  for (Index h = 0; h < n; ++h) {
+    const double length = lengths.value[t.edge[h]];
+    doubled.lengths.value[doubled.triangulation.edge[h]] = length;
+    doubled.lengths.value[doubled.triangulation.edge[MirrorHalfedge(h, n)]] = length;
+  }
+  return doubled;
+}
+
+ConeTargets FixedTargets(const Triangulation& t, const ConeTargets& targets) {
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  double missing = kPi * t.num_faces(), width = 0;
+  bool held = false;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    const bool free = boundary[v] && !targets.IsFixed(v);
+    held = held || free;
+    if (free) continue;
+    missing -= targets.lower[v];
+    width += targets.upper[v] - targets.lower[v];
+  }
+  const double fraction = held || width == 0 ? 0.5 : std::clamp(missing / width, 0.0, 1.0);
+  ConeTargets fixed = targets;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (targets.IsFixed(v) || boundary[v]) continue;
+    fixed.lower[v] += fraction * (targets.upper[v] - targets.lower[v]);
+    fixed.upper[v] = fixed.lower[v];
+  }
+  return fixed;
+}
+
+namespace {
+
+/// What no scale can mend, rounding of the targets, is shared out: Newton's method would leave all of
+/// it to the scale that is fixed.
+void ObeyGaussBonnet(Index num_faces, ScaleTargets* targets) {
+  const bool held = std::find(targets->parameter.begin(), targets->parameter.end(), kNone) !=
+                    targets->parameter.end();
+  const auto n = static_cast<int>(targets->angle_sum.size());
+  if (held || n == 0) return;
+  CompensatedSum missing;
+  missing += kPi * num_faces;
+  for (const double sum : targets->angle_sum) missing -= sum;
+  targets->angle_sum.array() += missing.Value() / n;
+}
+
+/// Flips of a metric without regard to any target.
+IntrinsicTriangulation DelaunayOf(const Triangulation& t, const EdgeLengths& lengths) {
+  const auto n = static_cast<std::size_t>(t.num_vertices);
+  const ConeTargets any{std::vector<double>(n, 0), std::vector<double>(n, 1e9)};
+  return MakeIntrinsicDelaunay(t, lengths, {&any, {}});
+}
+
+using Flips = ConformalEquivalenceEnergy::Flips;
+
+Flips FlipsOf(KeptEdges kept) { return kept == KeptEdges::kAll ? Flips::kNever : Flips::kPtolemy; }
+
+IntrinsicTriangulation AsItIs(const Triangulation& t, const EdgeLengths& lengths) {
+  IntrinsicTriangulation same{t, lengths, {}, std::vector<Index>(t.num_edges())};
+  std::iota(same.edge_of_input.begin(), same.edge_of_input.end(), 0);
+  return same;
+}
+
+/// One closed surface, or one with a boundary whose edges stay.
+class LogScaleSolve {
+ public:
+  LogScaleSolve(const Triangulation& t, const EdgeLengths& lengths, ScaleTargets targets,
+                Flips flips, LogScalesResult* result)
+      : t_(t),
+        flips_(flips),
+        start_(flips == Flips::kNever ? AsItIs(t, lengths) : DelaunayOf(t, lengths)),
+        targets_(std::move(targets)),
+        result_(*result) {
+    log_lengths_ = start_.lengths.value.array().log();
+    result_.delaunay = start_;
+  }
+
+  Status Run(const SolverStrategy& strategy, const SolveControl& control) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(targets_.angle_sum.size());
+    Status status = SolveFrom(strategy, control, &u);
+    const bool exists = flips_ == Flips::kPtolemy;
+    if (status.code() != StatusCode::kNotConverged || result_.residual <= kNearResidual ||
+        !exists) {
+      return status;
+    }
+    const LogScalesResult direct = result_;
+    u.setZero();
+    if (FollowTargets(control, &u)) status = SolveFrom(strategy, control, &u);
+    if (!status.ok() && !(result_.residual < direct.residual)) result_ = direct;
+    return status;
+  }
+
+ private:
+  Status SolveFrom(const SolverStrategy& strategy, const SolveControl& control,
+                   Eigen::VectorXd* u) {
+    for (int i = 0; i < kMostSolves; ++i) {
+      const ConformalEquivalenceEnergy energy(start_.triangulation, log_lengths_, targets_, flips_);
+      result_.solve = strategy.Minimize(energy, control, u);
+      if (result_.solve.termination == Termination::kCancelled) {
+        return Status(StatusCode::kCancelled, "log scales: cancelled");
+      }
+      if (!TakeAnew(energy.ScaleOfVertices(u->data()))) break;
+      if (result_.residual <= std::max(kAcceptedResidual, rounding_)) return CheckTriangles();
+    }
+    return Status(StatusCode::kNotConverged,
+                  fmt::format("log scales: angle sums miss their targets by {:.2e} rad: {}",
+                              result_.residual, result_.solve.BriefReport()));
+  }
+
+  /// Leads the angle sums from the surface's own to the targets along a straight line, whose scales
+  /// are a smooth path: where these are as large as a hundred, E is all but linear between narrow
+  /// creases, and Newton's method from afar leaps to and fro across them.
+  bool FollowTargets(const SolveControl& control, Eigen::VectorXd* u) const {
+    const NewtonStrategy newton({{kMostStepsOnPath, kNearResidual}, ""});
+    Eigen::VectorXd missing(u->size());
+    ScaleTargets now = targets_;
+    if (!ConformalEquivalenceEnergy(start_.triangulation, log_lengths_, targets_, flips_)
+             .Gradient(u->data(), missing.data())) {
+      return false;
+    }
+    double done = 0, step = kFirstStepOnPath;
+    while (done < 1) {
+      const double next = std::min(1.0, done + step);
+      now.angle_sum = targets_.angle_sum - (1 - next) * missing;
+      Eigen::VectorXd moved = *u;
+      const SolveSummary solve = newton.Minimize(
+          ConformalEquivalenceEnergy(start_.triangulation, log_lengths_, now, flips_), control,
+          &moved);
+      if (solve.termination == Termination::kCancelled) return false;
+      const bool reached = solve.final_gradient_max <= kNearResidual;
+      step *= reached ? 2 : 0.25;
+      if (step < kLeastStepOnPath) return false;
+      if (!reached) continue;
+      done = next;
+      u->swap(moved);
+    }
+    return true;
+  }
+
+  /// Beside edges that are not flipped triangles may be degenerate.
+  Status CheckTriangles() const {
+    const double* angle = result_.angles.value.data();
+    for (Index h = 0; h < t_.num_halfedges(); ++h) {
+      if (angle[h] > 0) continue;
+      return Status(StatusCode::kNotConverged,
+                    fmt::format("log scales: with the edges that are kept face {} (0-based) of the "
+                                "flipped triangulation has an angle of 0",
+                                Triangulation::Face(h)));
+    }
+    return Status();
+  }
+
+  /// The flat metric on a triangulation flipped from the start to where it is Delaunay for these
+  /// scales: that has as few flips as need be, and depends on nothing that the solve went through.
+  bool TakeAnew(const Eigen::VectorXd& scale) {
+    PtolemyComplex complex(start_.triangulation, log_lengths_);
+    result_.log_scale = scale;
+    if (flips_ == Flips::kPtolemy && !complex.MakeDelaunay(scale)) return false;
+    result_.angles.value.resize(t_.num_halfedges());
+    std::vector<double> log_length(t_.num_halfedges()), rounding(t_.num_halfedges());
+    const double units =
+        kRounding * (1 + log_lengths_.lpNorm<Eigen::Infinity>() + scale.lpNorm<Eigen::Infinity>());
+    ParallelFor(complex.num_faces(), [&](Index f) {
+      const LogTriangle triangle = complex.ScaledTriangle(f, scale);
+      double cotangents = 0;
+      for (int k = 0; k < 3; ++k) cotangents += std::abs(triangle.Cotangent(k));
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        result_.angles.value[h] = triangle.angle[h - 3 * f];
+        log_length[h] = complex.ScaledLogLength(h, scale);
+        rounding[h] = cotangents * units;
+      }
+    });
+    MeasureResidual(complex, rounding);
+    TakeTriangulation(complex);
+    const Triangulation& t = result_.intrinsic.triangulation;
+    result_.log_lengths.resize(t.num_edges());
+    for (Index e = 0; e < t.num_edges(); ++e) {
+      result_.log_lengths[e] = log_length[t.edge_halfedge[e]];
+    }
+    return true;
+  }
+
+  /// And what rounding of the lengths' logarithms may do to it: d alpha_i = sum of cotangents times
+  /// changes of these.
+  void MeasureResidual(const PtolemyComplex& complex, const std::vector<double>& rounding) {
+    Eigen::VectorXd missed = targets_.angle_sum, rounded = Eigen::VectorXd::Zero(missed.size());
+    for (Index h = 0; h < t_.num_halfedges(); ++h) {
+      const int p = targets_.parameter[complex.vertex(h)];
+      if (p == kNone) continue;
+      missed[p] -= result_.angles.value[h];
+      rounded[p] += rounding[h];
+    }
+    result_.residual = missed.size() > 0 ? missed.lpNorm<Eigen::Infinity>() : 0;
+    rounding_ = missed.size() > 0 ? rounded.lpNorm<Eigen::Infinity>() : 0;
+  }
+
+  void TakeTriangulation(const PtolemyComplex& complex) {
+    IntrinsicTriangulation& intrinsic = result_.intrinsic;
+    intrinsic.triangulation = complex.MakeTriangulation(t_.num_vertices);
+    intrinsic.lengths.value = complex.MakeLogLengths(intrinsic.triangulation).array().exp();
+    intrinsic.flips = start_.flips;
+    result_.euclidean_flips = static_cast<int>(start_.flips.size());
+    intrinsic.flips.insert(intrinsic.flips.end(), complex.flips().begin(), complex.flips().end());
+    std::vector<Index> still(start_.triangulation.num_edges(), kNone);
+    for (Index h = 0; h < complex.num_halfedges(); ++h) {
+      if (complex.label(h) != kNone) still[complex.label(h)] = intrinsic.triangulation.edge[h];
+    }
+    intrinsic.edge_of_input = start_.edge_of_input;
+    for (Index& e : intrinsic.edge_of_input) e = e == kNone ? kNone : still[e];
+  }
+
+  const Triangulation& t_;
+  const Flips flips_;
+  const IntrinsicTriangulation start_;
+  const ScaleTargets targets_;
+  Eigen::VectorXd log_lengths_;
+  double rounding_ = 0;  ///< [rad], of the angle sums
+  LogScalesResult& result_;
+};
+
+Status SolveDoubled(const Triangulation& t, const EdgeLengths& lengths, const ScaleTargets& single,
+                    const SolverStrategy& strategy, const SolveControl& control,
+                    LogScalesResult* result) {
+  const DoubledSurface doubled = DoubleSurface(t, lengths);
+  ScaleTargets targets;
+  for (const Index v : doubled.original) targets.parameter.push_back(single.parameter[v]);
+  targets.angle_sum = 2 * single.angle_sum;
+  ObeyGaussBonnet(doubled.triangulation.num_faces(), &targets);
+  result->doubled = true;
+  Status status = LogScaleSolve(doubled.triangulation, doubled.lengths, std::move(targets),
+                                Flips::kPtolemy, result)
+                      .Run(strategy, control);
+  result->log_scale.conservativeResize(t.num_vertices);
+  return status;
+}
+
+}  // namespace
+
+Status SolveLogScales(const Triangulation& t, const EdgeLengths& lengths,
+                      const ConeTargets& targets, KeptEdges kept, const SolverStrategy& strategy,
+                      const SolveControl& control, LogScalesResult* result) {
+  *result = LogScalesResult();
+  const std::vector<bool> on_boundary = BoundaryVertices(t);
+  const bool closed = std::find(on_boundary.begin(), on_boundary.end(), true) == on_boundary.end();
+  ScaleTargets scales = TargetsOfScales(FixedTargets(t, targets));
+  if (kept == KeptEdges::kNoEdge && !closed) {
+    return SolveDoubled(t, lengths, scales, strategy, control, result);
+  }
+  ObeyGaussBonnet(t.num_faces(), &scales);
+  return LogScaleSolve(t, lengths, std::move(scales), FlipsOf(kept), result).Run(strategy, control);
+}
+
+}  // namespace cirque

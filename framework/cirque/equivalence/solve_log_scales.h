@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/energy/conformal_equivalence_energy.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/solver/solver_strategy.h"
+
+namespace cirque {
+
+/// A surface and its mirror image, glued along the boundary: a closed surface. Face f of the
+/// surface is face f of the double, with the same halfedges and edges, and the mirror image of
+/// halfedge 3 f + k is MirrorHalfedge of it, of face F + f. Vertices of the boundary keep their
+/// numbers and are their own images; the images of the others follow behind.
+struct DoubledSurface {
+  Triangulation triangulation;
+  EdgeLengths lengths;
+  std::vector<Index> original;  ///< of the double's vertices: the one that it is or mirrors
+};
+
+DoubledSurface DoubleSurface(const Triangulation& triangulation, const EdgeLengths& lengths);
+
+/// A discretely conformally equivalent flat metric, or how far the solve came.
+struct LogScalesResult {
+  /// Where it was solved, Delaunay in the flat metric: the surface's triangulation or, `doubled`,
+  /// its double's after flips. The first `euclidean_flips` of its flips keep the surface's metric,
+  /// those after are Ptolemy flips, and `lengths` are the unscaled ones of Ptolemy's theorem.
+  IntrinsicTriangulation intrinsic;
+  bool doubled = false;
+  int euclidean_flips = 0;
+  IntrinsicTriangulation delaunay;  ///< after those: of the surface's (or its double's) own metric
+  Eigen::VectorXd log_scale;        ///< u, V of the surface
+  CornerAngles angles;              ///< of intrinsic, flat [rad]
+  Eigen::VectorXd log_lengths;      ///< of intrinsic, flat
+  double residual = kUnset;         ///< max |angle sum - target| [rad]
+  SolveSummary solve;               ///< the last; counts of all
+};
+
+/// Which edges are not flipped.
+enum class KeptEdges {
+  kNoEdge,    ///< a surface with a boundary is doubled, so that a solution always exists
+  kBoundary,  ///< those of the boundary, which cannot
+  kAll        ///< nothing is flipped: where that has a solution, it is one of the input's triangles
+};
+
+/// Minimises ConformalEquivalenceEnergy with Ptolemy flips, after flips that make the surface's own
+/// metric Delaunay. Vertices with lower < upper on the boundary keep their scale, u = 0; angle sums
+/// of inner ones are taken from within their intervals, so that all add up (docs/mathematics.md,
+/// Conformal equivalence). With kNoEdge, and with kBoundary on every closed surface, a solution exists for all
+/// angle sums above 0 with Gauss-Bonnet where no scale is held, and with held ones on the boundary
+/// unless what the others leave to it is negative.
+///
+/// The residual is that of a triangulation flipped anew at the solution. Errors: kNotConverged with
+/// a residual above 1e-10 rad, or above what rounding leaves of such lengths if that is more, or
+/// with an angle of 0 (beside edges that are kept);
+/// kCancelled.
+Status SolveLogScales(const Triangulation& triangulation, const EdgeLengths& lengths,
+                      const ConeTargets& targets, KeptEdges kept, const SolverStrategy& strategy,
+                      const SolveControl& control, LogScalesResult* result);
+
+/// Angle sums for ScaleTargets: fixed ones as they are; intervals of inner vertices all at the same
+/// fraction of their width, by Gauss-Bonnet where no other vertex is held, half of it elsewhere;
+/// the rest of the boundary free.
+ConeTargets FixedTargets(const Triangulation& triangulation, const ConeTargets& targets);
+
+}  // namespace cirque

@@ -1,0 +1,109 @@
+#include "cirque/intrinsic/ptolemy_complex.h"
+
+#include <array>
+#include <cstdint>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/parallel.h"
+
+namespace cirque {
+namespace {
+
+constexpr std::int64_t kMaxFlipsPerHalfedge = 50;
+
+Index Next(Index h) { return Triangulation::Next(h); }
+Index Prev(Index h) { return Triangulation::Prev(h); }
+Index Face(Index h) { return Triangulation::Face(h); }
+
+}  // namespace
+
+PtolemyComplex::PtolemyComplex(const Triangulation& t, const Eigen::VectorXd& log_lengths)
+    : complex_(t, EdgeLengths{log_lengths}) {}
+
+double PtolemyComplex::ScaledLogLength(Index h, const Eigen::VectorXd& scale) const {
+  return complex_.length(h) + 0.5 * (scale[vertex(Next(h))] + scale[vertex(Prev(h))]);
+}
+
+LogTriangle PtolemyComplex::ScaledTriangle(Index face, const Eigen::VectorXd& scale) const {
+  // The scale of one corner more or less changes no angle: a constant is taken off all three.
+  const Index h = 3 * face;
+  const double u0 = scale[vertex(h)], u1 = scale[vertex(h + 1)], u2 = scale[vertex(h + 2)];
+  return SolveLogTriangle({complex_.length(h) + 0.5 * ((u1 - u0) + (u2 - u0)),
+                           complex_.length(h + 1) + 0.5 * (u2 - u0),
+                           complex_.length(h + 2) + 0.5 * (u1 - u0)});
+}
+
+bool PtolemyComplex::ViolatesByCosines(Index h, const Eigen::VectorXd& scale) const {
+  // 2 cos = b / c + c / b - a^2 / (b c): what is added is compared with what is taken off.
+  std::array<double, 2> above{}, below{};
+  const Index sides[] = {h, complex_.twin(h)};
+  for (int k = 0; k < 2; ++k) {
+    const double a = ScaledLogLength(sides[k], scale), b = ScaledLogLength(Next(sides[k]), scale);
+    const double c = ScaledLogLength(Prev(sides[k]), scale);
+    above[k] = LogAddExp(b - c, c - b);
+    below[k] = (a - b) + (a - c);
+  }
+  return LogAddExp(below[0], below[1]) > LogAddExp(above[0], above[1]) + kPtolemyTolerance;
+}
+
+bool PtolemyComplex::Violates(Index h, const LogTriangle& left, const LogTriangle& right,
+                              const Eigen::VectorXd& scale) const {
+  if (!left.proper || !right.proper) return ViolatesByCosines(h, scale);
+  return left.half_tangent[h % 3] * right.half_tangent[complex_.twin(h) % 3] >
+         1 + kPtolemyTolerance;
+}
+
+bool PtolemyComplex::ViolatesDelaunay(Index h, const Eigen::VectorXd& scale) const {
+  const Index g = complex_.twin(h);
+  if (g == kNone || Face(g) == Face(h)) return false;
+  return Violates(h, ScaledTriangle(Face(h), scale), ScaledTriangle(Face(g), scale), scale);
+}
+
+void PtolemyComplex::Flip(Index h) {
+  const Index g = complex_.twin(h);
+  const double one = complex_.length(Next(h)) + complex_.length(Next(g));
+  const double other = complex_.length(Prev(h)) + complex_.length(Prev(g));
+  complex_.Flip(h, LogAddExp(one, other) - complex_.length(h), kNone);
+  flips_.push_back(h);
+}
+
+bool PtolemyComplex::MakeDelaunay(const Eigen::VectorXd& scale,
+                                  std::vector<LogTriangle>* triangles) {
+  std::vector<LogTriangle> own;
+  std::vector<LogTriangle>& triangle = triangles ? *triangles : own;
+  triangle.resize(static_cast<std::size_t>(num_faces()));
+  ParallelFor(num_faces(), [&](Index f) { triangle[f] = ScaledTriangle(f, scale); });
+  const auto violates = [&](Index h) {
+    const Index g = complex_.twin(h);
+    return g != kNone && Face(g) != Face(h) &&
+           Violates(h, triangle[Face(h)], triangle[Face(g)], scale);
+  };
+  std::vector<Index> awaiting;
+  for (Index h = 0; h < num_halfedges(); ++h) {
+    if (complex_.twin(h) > h && violates(h)) awaiting.push_back(h);
+  }
+  std::int64_t flips_left = kMaxFlipsPerHalfedge * num_halfedges();
+  while (!awaiting.empty()) {
+    const Index h = awaiting.back();
+    awaiting.pop_back();
+    if (!violates(h)) continue;
+    if (flips_left-- == 0) return false;
+    Flip(h);
+    for (const Index side : {h, complex_.twin(h)}) {
+      triangle[Face(side)] = ScaledTriangle(Face(side), scale);
+      awaiting.push_back(Next(side));
+      awaiting.push_back(Prev(side));
+    }
+  }
+  return true;
+}
+
+Triangulation PtolemyComplex::MakeTriangulation(Index num_vertices) const {
+  return complex_.MakeTriangulation(num_vertices);
+}
+
+Eigen::VectorXd PtolemyComplex::MakeLogLengths(const Triangulation& t) const {
+  return complex_.MakeLengths(t).value;
+}
+
+}  // namespace cirque

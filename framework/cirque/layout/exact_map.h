@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/core/metric.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+
+namespace cirque {
+
+struct Overlay;
+
+/// A point of a triangulated surface.
+struct SurfacePoint {
+  Index face = kNone;
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1; of corners 3 f + k
+};
+
+/// Barycentric coordinates of a point in a face that has it on its border or inside. @pre no face has
+/// a vertex twice.
+Eigen::Vector3d InFace(const Triangulation& triangulation, const SurfacePoint& point, Index face);
+
+/// A map that is linear on the faces of a triangulation which the input was flipped to, on
+/// triangles that each lie in one face of either: those of their overlay.
+struct ExactMap {
+  std::vector<SurfacePoint> point;    ///< on the input; first its vertices, then crossings; of
+                                      ///< several surfaces those of one behind those of the other
+  std::vector<Eigen::Vector2d> uv;    ///< a point on a seam has several
+  std::vector<Index> corner;          ///< 3T: the point at every corner, counter-clockwise
+  std::vector<Index> corner_uv;       ///< 3T
+  std::vector<Index> face_of_input;   ///< T, increasing
+  std::vector<Index> face_of_solved;  ///< T: of the other triangulation
+
+  Index num_triangles() const { return static_cast<Index>(face_of_input.size()); }
+};
+
+/// What was done against rounding.
+struct ExactMapRepair {
+  int edges_spread = 0;      ///< edges along which crossings were moved apart
+  double largest_shift = 0;  ///< of a crossing, as a fraction of its edge
+};
+
+/// The exact map of `uv` (3F of `other`), which is continuous but along `cut`, on the input. Every
+/// triangle is positively oriented, exactly so, in the plane and by the barycentric coordinates in
+/// its face of the input. Where rounding would have it otherwise, in faces of few units in the last
+/// place or where crossings lie close to each other, crossings along the edges of either
+/// triangulation that it has sides on are moved apart, from 1e-10 up to all the way to where they
+/// are evenly spaced; on both sides of an edge alike, so that no gap opens.
+///
+/// Error (kUnrepresentable): evenly spaced ones do not do either, the face is too small for
+/// doubles. @pre no face of `uv` is flipped.
+StatusOr<ExactMap> MakeExactMap(const Triangulation& input, const Triangulation& other,
+                                const Cut& cut, const CornerUv& uv, Overlay overlay,
+                                ExactMapRepair* repair);
+
+}  // namespace cirque

@@ -1,0 +1,105 @@
+#include "cirque/pipeline/cut_and_place.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cirque/core/text.h"
+#include "cirque/cuts/cut_graph.h"
+#include "cirque/layout/linear_layout.h"
+#include "cirque/layout/planar_layout.h"
+#include "cirque/layout/seams.h"
+#include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/cut_costs.h"
+#include "cirque/pipeline/finish_layout.h"
+
+namespace cirque {
+namespace {
+
+using Job = ParameterizeJob;
+
+StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& t, const InputChart& flat,
+                                const Cut& cut) {
+  if (method == LayoutMethod::kDirections) return LayOutPatches(t, flat.angles, flat.lengths, cut);
+  return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
+}
+
+Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped) {
+  const Eigen::VectorXd& rho = radii.value;
+  const double range = rho.size() > 0 ? rho.maxCoeff() - rho.minCoeff() : 0;
+  return Status(
+      StatusCode::kUnrepresentable,
+      fmt::format(
+          "the flat metric exists but doubles cannot hold it in one chart: log radii range "
+          "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
+          range, flipped.size(), IdList(flipped, 5)));
+}
+
+}  // namespace
+
+StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
+                        const std::vector<Index>& cones) {
+  const Triangulation& t = job.surface.triangulation;
+  StatusOr<Eigen::VectorXd> costs =
+      CutCosts(job.surface, flat.lengths, job.options, job.file.of_vertex);
+  if (!costs.ok()) return costs.status();
+  for (Index e = 0; job.inside && e < t.num_edges(); ++e) {
+    if ((*job.inside)[e]) (*costs)[e] = std::numeric_limits<double>::infinity();
+  }
+  const Cut none{std::vector<bool>(t.num_edges(), false)};
+  return CompleteCut(t, *costs, job.cut ? *job.cut : none, cones);
+}
+
+Status CutAndPlace(const Job& job, Parameterization* result) {
+  const Triangulation& t = job.surface.triangulation;
+  Certificate& certificate = result->certificate;
+  const InputChart& flat = result->flat.on_input;
+  const std::vector<Index> cones = ConeVertices(job.surface.boundary, result->targets);
+  StatusOr<Cut> cut = ChooseCut(job, flat, cones);
+  if (!cut.ok()) return cut.status();
+  StatusOr<PlanarLayout> laid_out = LayOutBy(job.options.layout, t, flat, *cut);
+  if (!laid_out.ok()) return laid_out.status();
+  PlanarLayout& layout = *laid_out;
+  LayoutSummary& summary = Fill(&certificate.layout);
+  std::vector<Index> flipped = FlippedFaces(t, layout.uv);
+  // The exact map is the result then; that of its own triangles has none beside it.
+  const bool may_be_flipped = result->flat.exact.has_value();
+  if (flipped.empty() || may_be_flipped) {
+    const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
+    if (flipped.empty() && flat.flipped.empty()) {
+      job.control.BeginStage("refinement");
+      Status refined = RefineLayout(of, result->targets, job.options.refine_map, &layout,
+                                    &certificate.map_refinement);
+      if (!refined.ok()) return refined;
+    }
+    summary.rotation_order = ArrangePatches(of, result->targets, &layout);
+    flipped = FlippedFaces(t, layout.uv);
+  }
+  certificate.seams = SummaryOf(MeasureSeams(t, *cut, cones, flat.angles, layout.uv));
+  summary.layout_closure = layout.closure;
+  summary.flipped_triangles = static_cast<int>(std::max(flipped.size(), flat.flipped.size()));
+  summary.cones = static_cast<int>(cones.size());
+  summary.patches = static_cast<int>(layout.patches.count);
+  summary.cut_length = RelativeCutLength(job.surface, *cut);
+  if (!flipped.empty() && !may_be_flipped) return Unrepresentable(result->flat.log_radii, flipped);
+  result->cut = *std::move(cut);
+  result->uv = std::move(layout.uv);
+  return Status();
+}
+
+void DescribeCut(const Job& job, Parameterization* result) {
+  const Triangulation& t = job.surface.triangulation;
+  const std::vector<Index> cones = ConeVertices(job.surface.boundary, result->targets);
+  Certificate& certificate = result->certificate;
+  certificate.seams =
+      SummaryOf(MeasureSeams(t, result->cut, cones, result->flat.on_input.angles, result->uv));
+  LayoutSummary& summary = Fill(&certificate.layout);
+  summary.patches = static_cast<int>(ConnectedPatches(CutOpen(t, result->cut)).count);
+  summary.rotation_order = 0;
+  summary.cut_length = RelativeCutLength(job.surface, result->cut);
+}
+
+}  // namespace cirque

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/input_chart.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/io/cone_file.h"
+#include "cirque/pipeline/options.h"
+#include "cirque/pipeline/parameterization.h"
+
+namespace cirque {
+
+/// What is parameterized, and how.
+struct ParameterizeJob {
+  const IntrinsicSurface& surface;
+  const FileVertices& file;
+  const Cut* cut;  ///< what is to be opened at least; null: a short one is sought
+  const ParameterizeOptions& options;
+  const SolveControl& control;
+  const std::vector<bool>* inside = nullptr;  ///< E: edges no seam may run along; null: none
+};
+
+/// The given cut and what is needed beyond it to open all cones and leave disks, short by the costs
+/// that the options name, and never inside a polygon.
+StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
+                        const std::vector<Index>& cones);
+
+/// Cuts result's flat surface, as it is on the job's triangles, along the given cut and where that
+/// leaves no disks or cones inside, further; lays it out and refines it, several patches side by
+/// side in the unit square. Fills in cut, uv and the certificate's layout, seams and
+/// map_refinement. Beside an exact map (result's flat.exact) triangles of the flat surface or of its
+/// layout may be flipped, which is not refined then. Errors: kUnrepresentable for a layout with a
+/// flipped triangle elsewhere; cancelled.
+Status CutAndPlace(const ParameterizeJob& job, Parameterization* result);
+
+/// What the certificate says of result's cut and seams, once more after the cut or the image changed.
+void DescribeCut(const ParameterizeJob& job, Parameterization* result);
+
+}  // namespace cirque

@@ -1,0 +1,147 @@
+#include "cirque/pipeline/exact_layout.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "cirque/core/solve_summary.h"
+#include "cirque/equivalence/half_of_double.h"
+#include "cirque/intrinsic/overlay.h"
+#include "cirque/intrinsic/straight_lines.h"
+#include "cirque/layout/exact_map.h"
+#include "cirque/metrics/mapped_faces.h"
+#include "cirque/pipeline/finish_layout.h"
+
+namespace cirque {
+namespace {
+
+using Job = ParameterizeJob;
+
+/// Flags of the job's edges as those of the triangulation that was solved on.
+Cut CutOfSolved(const Job& job, const IntrinsicTriangulation& solved) {
+  Cut cut{std::vector<bool>(solved.triangulation.num_edges(), false)};
+  if (!job.cut) return cut;
+  for (std::size_t e = 0; e < job.cut->edge.size(); ++e) {
+    if (!job.cut->edge[e]) continue;
+    const Index there =
+        solved.edge_of_input.empty() ? static_cast<Index>(e) : solved.edge_of_input[e];
+    if (there != kNone) cut.edge[there] = true;
+  }
+  return cut;
+}
+
+bool IsCirclePattern(const SolvedMetric& solved) { return !solved.equivalent; }
+
+/// The layout of the triangulation that was solved on. A refinement would compare its triangles with
+/// the surface's, which Ptolemy flips leave none of.
+Status LayOutSolved(const Job& job, const SolvedMetric& solved, const IntrinsicSurface& surface,
+                    const Parameterization& whole, Parameterization* layout) {
+  ParameterizeOptions options = job.options;
+  options.edge_costs.clear();  // of edges of the input
+  if (!IsCirclePattern(solved)) options.refine_map = "none";
+  const Cut given = CutOfSolved(job, solved.intrinsic);
+  layout->targets = TransferTargets(job.surface, whole.targets, surface);
+  layout->flat.log_radii = whole.flat.log_radii;
+  layout->flat.on_input = {solved.angles, solved.lengths, {}};
+  const Job of_solved = {surface, job.file, &given, options, job.control};
+  return CutAndPlace(of_solved, layout).In("the exact map");
+}
+
+void Summarize(const Overlay& overlay, const ExactMapRepair& repair, ExactMapSummary* summary) {
+  std::vector<int> faces_in(overlay.num_faces(), 0);
+  for (const Index f : overlay.input_face) {
+    summary->exact_faces_worst = std::max(summary->exact_faces_worst, ++faces_in[f]);
+  }
+  summary->exact_crossings = static_cast<int>(overlay.crossing.size());
+  summary->exact_edges_spread = repair.edges_spread;
+  summary->exact_largest_shift = repair.largest_shift;
+}
+
+void SummarizeLayout(const Parameterization& layout, ExactMapSummary* summary) {
+  const Certificate& certificate = layout.certificate;
+  summary->exact_layout_closure = certificate.layout->layout_closure;
+  summary->exact_seam_length_mismatch = certificate.seams->seam_length_mismatch;
+}
+
+void Summarize(const DistortionSummary& distortion, ExactMapSummary* summary) {
+  summary->exact_quasi_conformal_mean = distortion.quasi_conformal_mean;
+  summary->exact_quasi_conformal_max = distortion.quasi_conformal_max;
+  summary->exact_log_area_ratio_l2 = distortion.log_area_ratio_l2;
+}
+
+StatusOr<Overlay> OverlayOf(const Job& job, const SolvedMetric& solved,
+                            const IntrinsicSurface& surface) {
+  const std::int64_t limit = job.options.exact_limit;
+  if (solved.equivalent) return OverlayOf(*solved.equivalent, limit);
+  return MakeOverlay(job.surface.triangulation, solved.intrinsic.flips,
+                     StraightLines(surface.triangulation, surface.lengths), limit);
+}
+
+Status MakeExact(const Job& job, Parameterization* result) {
+  if (!result->flat.exact) {
+    return Status(StatusCode::kNotConverged,
+                  "the exact map: rounding keeps the boundary from coming back to the double that "
+                  "the metric was solved on; leave out exact");
+  }
+  const SolvedMetric& solved = *result->flat.exact;
+  const IntrinsicSurface surface =
+      MeasureSurface(solved.intrinsic.triangulation, solved.intrinsic.lengths);
+  Parameterization layout;
+  if (Status s = LayOutSolved(job, solved, surface, *result, &layout); !s.ok()) return s;
+  StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
+  if (!overlay.ok()) return overlay.status().In("exact_limit");
+  const Triangulation& input = job.surface.triangulation;
+  ExactMapSummary& summary = Fill(&result->certificate.exact_map);
+  summary.exact_faces_ratio =
+      static_cast<double>(overlay->num_faces()) / static_cast<double>(input.num_faces());
+  ExactMapRepair repair;
+  StatusOr<ExactMap> map =
+      MakeExactMap(input, surface.triangulation, layout.cut, layout.uv, *overlay, &repair);
+  Summarize(*overlay, repair, &summary);
+  SummarizeLayout(layout, &summary);
+  if (!map.ok()) return map.status();
+  summary.exact_triangles = map->num_triangles();
+  Summarize(IsCirclePattern(solved)
+                ? DistortionOf(surface.triangulation, surface.lengths, layout.uv)
+                : DistortionOf(job.surface, *map),
+            &summary);
+  result->exact_map = *std::move(map);
+  return Status();
+}
+
+}  // namespace
+
+Status LayOutExactly(const Job& job, Parameterization* result) {
+  const Timer timer;
+  job.control.BeginStage("exact map");
+  Status status = MakeExact(job, result);
+  AddSeconds(timer, &result->certificate.seconds.exact);
+  return status;
+}
+
+DistortionSummary DistortionOf(const IntrinsicSurface& surface, const ExactMap& map) {
+  const Index corners = 3 * map.num_triangles();
+  std::vector<Index> vertex(corners);
+  std::iota(vertex.begin(), vertex.end(), 0);
+  const Triangulation t =
+      NumberEdges(corners, std::move(vertex), std::vector<Index>(corners, kNone));
+  const CornerUv in_plane = FacesInPlane(surface);
+  EdgeLengths lengths{Eigen::VectorXd(corners)};
+  CornerUv uv;
+  for (Index h = 0; h < corners; ++h) {
+    const Index face = map.face_of_input[Triangulation::Face(h)];
+    const auto place = [&](Index corner) -> Eigen::Vector2d {
+      const Eigen::Vector3d at = InFace(surface.triangulation, map.point[map.corner[corner]], face);
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+      for (int k = 0; k < 3; ++k) sum += at[k] * in_plane.value[3 * face + k];
+      return sum;
+    };
+    lengths.value[h] = (place(Triangulation::Next(h)) - place(Triangulation::Prev(h))).norm();
+    uv.value.push_back(map.uv[map.corner_uv[h]]);
+  }
+  return DistortionOf(t, lengths, uv);
+}
+
+}  // namespace cirque

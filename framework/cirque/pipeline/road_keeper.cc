@@ -1,0 +1,40 @@
+#include "cirque/pipeline/road_keeper.h"
+
+#include <fmt/format.h>
+
+namespace cirque {
+
+RoadEnd EndOfRoad(const Status& status, const Certificate& certificate) {
+  switch (status.code()) {
+    case StatusCode::kOk:
+      return Inaccuracy(certificate).empty() ? RoadEnd::kMap : RoadEnd::kImprecise;
+    case StatusCode::kInfeasible:
+      return RoadEnd::kInfeasible;
+    case StatusCode::kUnrepresentable:
+      return RoadEnd::kUnrepresentable;
+    case StatusCode::kNotConverged:
+      return RoadEnd::kNotConverged;
+    default:
+      return RoadEnd::kStopped;
+  }
+}
+
+const char* WhyAnotherRoad(RoadEnd end) {
+  switch (end) {
+    case RoadEnd::kImprecise:
+      return "doubles could not hold the map accurately";
+    case RoadEnd::kInfeasible:
+      return "no coherent angles exist without";
+    case RoadEnd::kUnrepresentable:
+      return "doubles could not hold the map";
+    default:
+      return "the solve did not converge";
+  }
+}
+
+std::string OtherRoads(const LadderSummary& ladder) {
+  if (ladder.rungs_tried == 0) return "";
+  return fmt::format(" ({} other roads tried: see the certificate)", ladder.rungs_tried);
+}
+
+}  // namespace cirque
