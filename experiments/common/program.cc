@@ -85,6 +85,13 @@ bool Flush(std::string_view name) {
   return written;
 }
 
+// Sanitizers are initialised later than this would run, and know no limit of the address space.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+using BeforeLibraries = void (*)(int, char**, char**);
+[[gnu::used, gnu::section(".preinit_array")]] BeforeLibraries before_libraries =
+    RestartWithOneBlasThread;
+#endif
+
 }  // namespace
 
 int RunMain(std::string_view name, int argc, char** argv, int (*body)(int argc, char** argv)) {
@@ -92,7 +99,6 @@ int RunMain(std::string_view name, int argc, char** argv, int (*body)(int argc, 
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);
   std::set_terminate(OnTerminate);
-  RestartWithOneBlasThread(argv);
   UseOneBlasThread();
   UseOneHeap();
   FLAGS_logtostderr = true;

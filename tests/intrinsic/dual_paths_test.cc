@@ -159,7 +159,7 @@ TEST(DualPaths, BetweenTheLoopsOfAPlaneRingTurnsWhatItsEdgesDo) {
 TEST(DualPaths, EveryPieceHasPathsBetweenItsOwnLoops) {
   // A disk, a ring, a closed surface and a ring, side by side.
   std::vector<Index> corner, twin;
-  for (const char* kind : {"terrain", "annulus", "blob", "annulus"}) {
+  for (const char* kind : {"bumpy_terrain", "annulus", "blob", "annulus"}) {
     const Triangulation t = GeneratedSurface(kind, 200).triangulation;
     const auto first = static_cast<Index>(corner.size());
     const Index offset = corner.empty() ? 0 : *std::max_element(corner.begin(), corner.end()) + 1;

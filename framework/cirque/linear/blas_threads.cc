@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <thread>
 #include <vector>
@@ -77,10 +78,17 @@ bool HasRoom(std::size_t bytes) {
 
 }  // namespace
 
-void RestartWithOneBlasThread(char** argv) {
-  if (!openblas_set_num_threads || std::getenv(kBlasThreads) || !HasLimitedAddressSpace()) return;
-  setenv(kBlasThreads, "1", 1);
-  execv("/proc/self/exe", argv);  // where it fails, all goes on as it was
+void RestartWithOneBlasThread(int /*argc*/, char** argv, char** environment) {
+  constexpr char kSetting[] = "OPENBLAS_NUM_THREADS=1";
+  constexpr std::size_t kName = sizeof(kBlasThreads) - 1;
+  if (!openblas_set_num_threads || !HasLimitedAddressSpace()) return;
+  std::vector<char*> extended = {const_cast<char*>(kSetting)};
+  for (char** entry = environment; *entry; ++entry) {
+    if (std::strncmp(*entry, kSetting, kName + 1) == 0) return;
+    extended.push_back(*entry);
+  }
+  extended.push_back(nullptr);
+  execve("/proc/self/exe", argv, extended.data());  // where it fails, all goes on as it was
 }
 
 void UseOneBlasThread() {
