@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
+
 #include "experiments/circle_patterns/outputs.h"
 
 namespace cirque {
@@ -9,17 +11,16 @@ constexpr double kWideRange = 20;  ///< of log areas
 
 std::string MapLine(const Certificate& c) {
   const DistortionSummary distortion = c.distortion.value_or(DistortionSummary());
-  return fmt::format(
-      "map         {} flipped triangles, {}, quasi-conformal {:.5f} mean {:.4g} max\n",
-      c.layout ? c.layout->flipped_triangles : 0, c.overlap, distortion.quasi_conformal_mean,
-      distortion.quasi_conformal_max);
+  return fmt::format("map         {}, {}, quasi-conformal {:.5f} mean {:.4g} max\n",
+                     Count(c.layout ? c.layout->flipped_triangles : 0, "flipped triangle"),
+                     c.overlap, distortion.quasi_conformal_mean, distortion.quasi_conformal_max);
 }
 
 std::string ScalesLine(const EquivalenceSummary& scales) {
-  return fmt::format(
-      "scales      {} steps, angle sums to {:.1e} rad, {} Ptolemy flips, log range {:.1f}{}\n",
-      scales.scales_iterations, scales.scales_residual, scales.ptolemy_flips,
-      scales.log_scale_range, scales.doubled ? ", on the double" : "");
+  return fmt::format("scales      {}, angle sums to {:.1e} rad, {}, log range {:.1f}{}\n",
+                     Count(scales.scales_iterations, "step"), scales.scales_residual,
+                     Count(scales.ptolemy_flips, "Ptolemy flip"), scales.log_scale_range,
+                     scales.doubled ? ", on the double" : "");
 }
 
 std::string ExactLine(const Certificate& c) {
@@ -48,12 +49,12 @@ std::string SolveLines(const Certificate& c) {
         angles.smallest_angle);
   }
   return fmt::format(
-             "angles      {} steps, smallest corner {:.2e} rad, intersection {:.2e} rad, gap "
+             "angles      {}, smallest corner {:.2e} rad, intersection {:.2e} rad, gap "
              "{:.1e}\n",
-             angles.angle_iterations, angles.smallest_angle, angles.smallest_theta,
+             Count(angles.angle_iterations, "step"), angles.smallest_angle, angles.smallest_theta,
              angles.angle_gap) +
-         fmt::format("radii       {} steps, gradient {:.1e} rad, gap {:.1e}, log range {:.1f}\n",
-                     radii.radii_iterations, radii.radii_gradient, radii.radii_gap,
+         fmt::format("radii       {}, gradient {:.1e} rad, gap {:.1e}, log range {:.1f}\n",
+                     Count(radii.radii_iterations, "step"), radii.radii_gradient, radii.radii_gap,
                      radii.log_radius_range);
 }
 
@@ -61,10 +62,10 @@ std::string ConeLines(const Certificate& c) {
   std::string text;
   const int cones = c.layout ? c.layout->cones.value_or(0) : 0;
   if (c.seams && (cones > 0 || c.seams->seams > 0)) {
-    text += fmt::format(
-        "cut         {} cones, {} seams, length {:.2f}, rotation {:.1e} rad, gap {:.1e}\n", cones,
-        c.seams->seams, c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
-        c.seams->seam_gap);
+    text += fmt::format("cut         {}, {}, length {:.2f}, rotation {:.1e} rad, gap {:.1e}\n",
+                        Count(cones, "cone"), Count(c.seams->seams, "seam"),
+                        c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
+                        c.seams->seam_gap);
   }
   if (c.holonomy && c.rotations) {
     text += fmt::format(
@@ -74,8 +75,8 @@ std::string ConeLines(const Certificate& c) {
   }
   if (c.layout && c.layout->further_cut_edges.value_or(0) > 0) {
     text += fmt::format(
-        "cut         {} edges as given and {} beyond, since those left no disk or cones inside\n",
-        *c.layout->given_cut_edges, *c.layout->further_cut_edges);
+        "cut         {} as given and {} beyond, since those left no disk or cones inside\n",
+        Count(*c.layout->given_cut_edges, "edge"), *c.layout->further_cut_edges);
   }
   if (c.cone_rounding) {
     text += fmt::format(
@@ -93,8 +94,8 @@ std::string ConeLines(const Certificate& c) {
                         c.cone_repair->cones_moved, c.cone_repair->cones_widened);
   }
   if (c.cone_refinement) {
-    text += fmt::format("cones       {} steps of refinement, area distortion {:.4f} to {:.4f}\n",
-                        c.cone_refinement->refinement_steps,
+    text += fmt::format("cones       {} refined, area distortion {:.4f} to {:.4f}\n",
+                        Count(c.cone_refinement->refinement_steps, "time"),
                         c.cone_refinement->refinement_area_distortion_before,
                         c.cone_refinement->refinement_area_distortion_after);
   }
@@ -134,7 +135,7 @@ std::string InjectivityLine(const Certificate& c) {
         done.boundary_turned.value_or(0));
   }
   if (done.made_by.empty()) return "injective   not, by any stage: see the certificate\n";
-  return fmt::format("injective   in {} charts, side by side\n", done.charts);
+  return fmt::format("injective   in {}, side by side\n", Count(done.charts, "chart"));
 }
 
 std::string PeriodicLine(const Certificate& c) {
@@ -163,19 +164,19 @@ std::string RangeLine(const Certificate& c) {
       c.distortion ? c.distortion->log_area_ratio_max - c.distortion->log_area_ratio_min : 0;
   if (vanishing == 0 && !(range > kWideRange)) return "";
   const bool has_cones = c.layout && c.layout->cones.value_or(0) > 0;
-  return fmt::format(
-      "warning     areas range over e^{:.0f}, {} triangles vanish in single precision: {}\n", range,
-      vanishing, has_cones ? "more cones (--cones=greedy:cones=N)" : "cones (--cones=greedy)");
+  return fmt::format("warning     areas range over e^{:.0f}, {} lost in single precision: {}\n",
+                     range, Count(vanishing, "triangle"),
+                     has_cones ? "more cones (--cones=greedy:cones=N)" : "cones (--cones=greedy)");
 }
 
 std::string PlanarSummary(const Certificate& c) {
   std::string text = SolveLines(c) + MapLine(c) + InjectivityLine(c) + ExactLine(c) + ConeLines(c) +
                      LadderLine(c) + RangeLine(c);
   if (c.map_refinement) {
-    text +=
-        fmt::format("refinement  {} steps, objective {:.6g} to {:.6g}\n",
-                    c.map_refinement->map_refinement_steps, c.map_refinement->map_refinement_before,
-                    c.map_refinement->map_refinement_after);
+    text += fmt::format("refinement  {}, objective {:.6g} to {:.6g}\n",
+                        Count(c.map_refinement->map_refinement_steps, "step"),
+                        c.map_refinement->map_refinement_before,
+                        c.map_refinement->map_refinement_after);
   }
   return text + DomainLines(c) + PeriodicLine(c);
 }
@@ -183,8 +184,8 @@ std::string PlanarSummary(const Certificate& c) {
 /// "mean 1.0021 max 1.2" of a map, else why there is none.
 std::string ComponentLine(const Certificate& c) {
   const ComponentSummary of = c.component.value_or(ComponentSummary());
-  const std::string name = fmt::format("{} {} from face {} on: ", of.faces,
-                                       of.faces == 1 ? "face" : "faces", of.first_face + 1);
+  const std::string name =
+      fmt::format("{} from face {} on: ", Count(of.faces, "face"), of.first_face + 1);
   if (c.layout && c.distortion) {
     return fmt::format("component   {}quasi-conformal {:.5f} mean {:.4g} max{}\n", name,
                        c.distortion->quasi_conformal_mean, c.distortion->quasi_conformal_max,
@@ -207,10 +208,9 @@ std::string SeveralSummary(const Certificate& c) {
     text += ComponentLine(part);
     ++listed;
   }
-  text +=
-      fmt::format("components  {} mapped, {} without a map, {} patches on {:.0f} % of the square\n",
-                  static_cast<int>(components.size()) - failed, failed, c.atlas->atlas_patches,
-                  100 * c.atlas->area_used);
+  text += fmt::format("components  {} mapped, {} without a map, {} on {:.0f} % of the square\n",
+                      static_cast<int>(components.size()) - failed, failed,
+                      Count(c.atlas->atlas_patches, "patch"), 100 * c.atlas->area_used);
   return text + MapLine(c) + ExactLine(c) + ConeLines(c) + RangeLine(c);
 }
 

@@ -9,6 +9,7 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/core/count.h"
 
 #include "experiments/common/flag_parsing.h"
 #include "experiments/common/manual.h"
@@ -66,8 +67,8 @@ Status WriteReport(const std::string& folder, const fs::path& page) {
   if (Status s = WriteTable(stem.replace_extension(), RunTable(results->runs)); !s.ok()) return s;
   const fs::path convergence = page.parent_path() / "convergence";
   if (Status s = WriteTable(convergence, ConvergenceTable(results->runs)); !s.ok()) return s;
-  fmt::print("report: {} ({} runs, {} maps, {:.1f} MB)\n", page.string(), results->runs.size(),
-             maps.keys.size(), static_cast<double>(html.size()) / kMegabyte);
+  fmt::print("report: {} ({}, {}, {:.1f} MB)\n", page.string(), Count(results->runs.size(), "run"),
+             Count(maps.keys.size(), "map"), static_cast<double>(html.size()) / kMegabyte);
   const std::string points = (page.parent_path() / "report_figures.json").string();
   if (Status s = WriteFileAtomically(points, ConfigFiguresJson(*figures, results->runs)); !s.ok()) {
     return s;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
+#include "cirque/core/count.h"
 #include "cirque/linear/blas_threads.h"
 
 #include "experiments/common/flag_parsing.h"
@@ -57,10 +58,6 @@ int Refuse(const Status& status) {
   return kBadInput;
 }
 
-std::string Plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 StatusOr<std::vector<PlannedRun>> Select(const ExperimentConfig& config) {
   std::vector<PlannedRun> runs = SelectRuns(config.runs, FLAGS_only);
   if (!runs.empty()) return runs;
@@ -71,21 +68,21 @@ StatusOr<std::vector<PlannedRun>> Select(const ExperimentConfig& config) {
 
 void PrintRuns(const std::vector<PlannedRun>& runs) {
   for (const PlannedRun& run : runs) fmt::print("{}\n", run.Label());
-  fmt::print("{}\n", Plural(runs.size(), "run"));
+  fmt::print("{}\n", Count(runs.size(), "run"));
 }
 
 void PrintSummary(const RunSummary& summary, std::size_t selected, const std::string& file) {
   fmt::print("\n{}\n", ToTable(summary.records));
   if (summary.skipped_lines > 0) {
     fmt::print("{} of results.jsonl could not be read and were passed over.\n",
-               Plural(summary.skipped_lines, "line"));
+               Count(summary.skipped_lines, "line"));
   }
   if (summary.stopped) {
     fmt::print("{} with {} of {}; {} goes on from here.\n", FLAGS_merge ? "Merged" : "Stopped",
-               Plural(summary.records.size(), "record"), selected,
+               Count(summary.records.size(), "record"), selected,
                FLAGS_merge ? "submitting the shards again" : "the same command");
   }
-  fmt::print("{}, {} kept: {}\n", Plural(summary.ran, "new run"),
+  fmt::print("{}, {} kept: {}\n", Count(summary.ran, "new run"),
              summary.records.size() - summary.ran, file);
 }
 

@@ -11,6 +11,7 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/transfer.h"
 #include "cirque/io/image.h"
@@ -169,7 +170,7 @@ int Main(int argc, char** argv) {
   if (const auto answered = AnswerQuestions(ProgramManual(), line, *given)) return *answered;
   if (given->size() != 5) {
     return Complain(Status::InvalidInput(
-        fmt::format("{} files given; write transfer MESH FROM TO IN OUT", given->size())));
+        fmt::format("{} given; write transfer MESH FROM TO IN OUT", Count(given->size(), "file"))));
   }
   const Files files = {(*given)[0], (*given)[1], (*given)[2], (*given)[3], (*given)[4]};
   Status status = CheckFlags();

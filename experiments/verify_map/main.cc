@@ -9,6 +9,7 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/io/io.h"
 #include "cirque/metrics/measure_files.h"
@@ -232,8 +233,8 @@ int Main(int argc, char** argv) {
   const bool certificate = !FLAGS_infeasible.empty();
   if (files->size() != (certificate ? 1u : 2u)) {
     return Complain(Status::InvalidInput(
-        fmt::format("{} files given; write verify_map IN OUT, or verify_map --infeasible CERT IN",
-                    files->size())));
+        fmt::format("{} given; write verify_map IN OUT, or verify_map --infeasible CERT IN",
+                    Count(files->size(), "file"))));
   }
   if (certificate) return VerifyInfeasibility(*files);
   return FLAGS_exact ? VerifyExact(*files) : VerifyFiles(*files);

@@ -308,7 +308,7 @@ TEST(MapToHalfPlane, TrianglesThatHaveNoRoomAreNamedByTheirFace) {
   const Surface quad =
       *SurfaceFromTriangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   EXPECT_THAT(MapSurface(quad, RequestFor("half_plane")).status().message(),
-              testing::HasSubstr("1 triangles lie beyond edges that join two boundary vertices"));
+              testing::HasSubstr("1 triangle lies beyond edges that join two boundary vertices"));
 }
 
 TEST(EveryDomain, TakesATriangleOrSaysWhyNot) {

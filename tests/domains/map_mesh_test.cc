@@ -205,7 +205,7 @@ TEST(MapMesh, ASurfaceOfOneSideAmongOthersIsNamed) {
   const auto parts = PartsOf(soup, "safe");
   ASSERT_EQ(parts->components.size(), 2u);
   EXPECT_EQ(parts->Surfaces().size(), 1u);
-  EXPECT_THAT(parts->Sizes(), HasSubstr("2 (1 faces from face 1 on, 5 faces from face 2 on)"));
+  EXPECT_THAT(parts->Sizes(), HasSubstr("2 (1 face from face 1 on, 5 faces from face 2 on)"));
   const MappedMesh mapped = Mapped(soup, {}, {});
   EXPECT_EQ(mapped.status.code(), StatusCode::kInvalidInput);
   EXPECT_THAT(mapped.status.message(), HasSubstr("5 faces from face 2 on"));

@@ -93,7 +93,7 @@ TEST(OffReader, PassesOverWithAWarningWhatAMapCanDoWithout) {
   EXPECT_THAT(warnings("OFF 4 2 0\n" + body + "0\n"),
               ElementsAre("m:8: more follows than the header promises, and is ignored"));
   EXPECT_THAT(warnings("OFF 4 4 0\n" + points + "2 0 1\n3 0 1 2\n1 3\n4 0 1 3 2\n"),
-              ElementsAre("m:6: a face of fewer than 3 corners is ignored (and 1 times more)"));
+              ElementsAre("m:6: a face of fewer than 3 corners is ignored (and 1 time more)"));
 }
 
 TEST(OffReader, ReadsTextureCoordinatesOfVertices) {

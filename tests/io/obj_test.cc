@@ -103,7 +103,7 @@ TEST(ObjReader, PassesOverWithAWarningWhatAMapCanDoWithout) {
   EXPECT_THAT(soup.corner_texture, ElementsAre(kNone, kNone, 0));
   EXPECT_THAT(soup.warnings,
               ElementsAre("m.obj:5: there is no such texture coordinate (OBJ counts from 1): the "
-                          "corner has none (and 1 times more)"));
+                          "corner has none (and 1 time more)"));
   // A line without numbers leaves the others without meaning.
   soup = Parsed(kThree + "vt 1 1\nvt\nf 1/1 2/2 3/1\n");
   EXPECT_TRUE(soup.texture.empty());

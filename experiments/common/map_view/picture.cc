@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/metrics/distortion_measure.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_files.h"
@@ -174,12 +175,9 @@ class Picture {
   }
 
   std::string Figures(const MappedFaces& faces) const {
-    const auto count = [](std::size_t number, const std::string& noun) {
-      return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
-    };
-    std::string text = count(colour_.size(), "triangle");
-    if (!map_.seams.empty()) text += ", " + count(map_.seams.size() / 2, "seam edge");
-    if (!map_.cones.empty()) text += ", " + count(map_.cones.size(), "cone");
+    std::string text = Count(colour_.size(), "triangle");
+    if (!map_.seams.empty()) text += ", " + Count(map_.seams.size() / 2, "seam edge");
+    if (!map_.cones.empty()) text += ", " + Count(map_.cones.size(), "cone");
     if (faces.num_faces() == 0) return text;
     const Eigen::VectorXd ratio = faces.sigma_max.cwiseQuotient(faces.sigma_min);
     return text + fmt::format("; sigma_max / sigma_min: mean {:.4g}, largest {:.4g}",

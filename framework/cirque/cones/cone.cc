@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/metric.h"
 #include "cirque/core/option.h"
 
@@ -25,8 +26,8 @@ std::string Fault(const Cone& cone, const std::vector<Index>& corners) {
         cone.upper);
   }
   if (cone.lower >= kPi * corners[cone.vertex]) {
-    return fmt::format("its {} corners, each less than pi, cannot add up to {:.6g} pi",
-                       corners[cone.vertex], cone.lower / kPi);
+    return fmt::format("its {}, each less than pi, cannot add up to {:.6g} pi",
+                       Count(corners[cone.vertex], "corner"), cone.lower / kPi);
   }
   return {};
 }
@@ -56,12 +57,11 @@ StatusOr<ConeTargets> ConeTargetsOf(const Triangulation& t, const std::vector<Co
   if (!targets.ok()) return targets;
   const GaussBonnetDefect defect = MeasureGaussBonnetDefect(t, *targets);
   if (BoundaryLoops(t).empty() && !defect.IsZeroPossible(kRounding)) {
-    return Status::InvalidInput(
-        fmt::format("Gauss-Bonnet: {} cones leave the angle sums {:.6g} pi {} what the triangles "
-                    "have; a closed "
-                    "surface needs cones of curvature {} pi in all",
-                    cones.size(), std::abs(defect.lower > 0 ? defect.lower : defect.upper) / kPi,
-                    defect.lower > 0 ? "above" : "below", 2 * EulerCharacteristic(t)));
+    return Status::InvalidInput(fmt::format(
+        "Gauss-Bonnet: with {} the angle sums are {:.6g} pi {} what the triangles have; "
+        "a closed surface needs cones of curvature {} pi in all",
+        Count(cones.size(), "cone"), std::abs(defect.lower > 0 ? defect.lower : defect.upper) / kPi,
+        defect.lower > 0 ? "above" : "below", 2 * EulerCharacteristic(t)));
   }
   return targets;
 }
@@ -103,10 +103,10 @@ class Rounding {
       count_.push_back(std::clamp(std::round(target), least_.back(), greatest_.back()));
     }
     if (problem_.IsClosed() && !CloseTotal()) {
-      return Status::InvalidInput(fmt::format(
-          "cones at {} vertices with angles in multiples of pi/{} cannot add up as Gauss-Bonnet "
-          "asks: use more cones, or free angles",
-          cones_.size(), parts_));
+      return Status::InvalidInput(
+          fmt::format("cones at {} with angles in multiples of pi/{} cannot add up as Gauss-Bonnet "
+                      "asks: use more cones, or free angles",
+                      Count(cones_.size(), "vertex"), parts_));
     }
     for (std::size_t i = 0; i < cones_.size(); ++i) {
       cones_[i].lower = cones_[i].upper = kPi * (2 - count_[i] / parts_);

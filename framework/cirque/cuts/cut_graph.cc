@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/grouping.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/shortest_path.h"
@@ -211,13 +212,12 @@ std::string DescribePatches(const std::vector<PatchTopology>& patches) {
   int wrong = 0;
   for (const PatchTopology& p : patches) {
     if (p.IsDisk() || ++wrong > kShown) continue;
-    text += fmt::format(
-        "{}the patch of face {} (0-based; {} faces) is not a disk: genus {}, {} "
-        "boundary loops",
-        text.empty() ? "" : "; ", p.first_face, p.faces, (2 - p.euler_characteristic - p.loops) / 2,
-        p.loops);
+    text +=
+        fmt::format("{}the patch of face {} (0-based; {}) is not a disk: genus {}, {}",
+                    text.empty() ? "" : "; ", p.first_face, Count(p.faces, "face"),
+                    (2 - p.euler_characteristic - p.loops) / 2, Count(p.loops, "boundary loop"));
   }
-  if (wrong > kShown) text += fmt::format("; and {} more patches", wrong - kShown);
+  if (wrong > kShown) text += fmt::format("; and {}", Count(wrong - kShown, "more patch"));
   return text.empty() ? text : text + "; cut its handles open and join its loops by cuts";
 }
 

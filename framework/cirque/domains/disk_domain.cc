@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
@@ -253,9 +254,10 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   if (overhang > 0) {
     const auto first = std::find(core.begin(), core.end(), false) - core.begin();
     return Status::InvalidInput(fmt::format(
-        "{} triangles lie beyond edges that join two boundary vertices, one of them in face {} "
+        "{} beyond edges that join two boundary vertices, one of them in face {} "
         "(0-based): a straight boundary leaves them no area; split those edges, or map to the disk",
-        overhang, surface.soup_polygon[first]));
+        Count(overhang, "triangle") + (overhang == 1 ? " lies" : " lie"),
+        surface.soup_polygon[first]));
   }
   HalfPlaneChart chart;
   CornerUv uv;

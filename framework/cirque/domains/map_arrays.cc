@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "cirque/core/count.h"
 #include "cirque/domains/array_request.h"
 #include "cirque/domains/atlas.h"
 #include "cirque/domains/map_mesh.h"
@@ -34,8 +35,8 @@ Status CheckArrays(const MeshArrays& mesh) {
   }
   for (std::size_t p = 0; p + 1 < first.size(); ++p) {
     if (first[p + 1] - first[p] >= 3) continue;
-    return refuse(fmt::format("polygon {} has {} corners; at least 3 are needed", p,
-                              first[p + 1] - first[p]));
+    return refuse(fmt::format("polygon {} has {}; at least 3 are needed", p,
+                              Count(first[p + 1] - first[p], "corner")));
   }
   const auto num_vertices = static_cast<Index>(points.size() / 3);
   for (std::size_t c = 0; c < corners.size(); ++c) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cirque/cones/boundaries.h"
+#include "cirque/core/count.h"
 #include "cirque/core/parallel.h"
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/domains/atlas.h"
@@ -207,7 +208,7 @@ class DecimatedSolve {
     Fill(&map_->certificate.layout).flipped_triangles = static_cast<int>(flipped.size());
     if (flipped.empty()) return Status();
     return Status(StatusCode::kUnrepresentable,
-                  fmt::format("{} triangles came back flipped", flipped.size()));
+                  fmt::format("{} came back flipped", Count(flipped.size(), "triangle")));
   }
 
   /// The image gets the area of the surface, unless rounding flips something.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/atlas.h"
 #include "cirque/domains/map_components.h"
@@ -223,10 +224,10 @@ class MeshMapper {
     for (const Piece& piece : pieces_) {
       const Status& own = piece.mapped.status;
       if (own.ok() || ToString(own.code()) != all.outcome || own.message() != all.message) continue;
-      return {own.code(),
-              fmt::format("{} of {} components have no map; {} faces from face {} on: {}",
-                          pieces_.size() - mapped_.size(), pieces_.size(), piece.component.faces,
-                          piece.component.first_face + 1, own.message())};
+      return {own.code(), fmt::format("{} of {} components without a map; {} from face {} on: {}",
+                                      pieces_.size() - mapped_.size(), pieces_.size(),
+                                      Count(piece.component.faces, "face"),
+                                      piece.component.first_face + 1, own.message())};
     }
     return Status();
   }
@@ -269,7 +270,7 @@ std::string MeshParts::Sizes() const {
   constexpr std::size_t kListed = 10;
   std::vector<std::string> words;
   for (std::size_t i = 0; i < std::min(components.size(), kListed); ++i) {
-    words.push_back(fmt::format("{} faces from face {} on", components[i].num_polygons,
+    words.push_back(fmt::format("{} from face {} on", Count(components[i].num_polygons, "face"),
                                 components[i].first_polygon + 1));
   }
   if (components.size() > kListed) {

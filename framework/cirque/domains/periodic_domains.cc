@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
@@ -28,9 +29,8 @@ Status CheckTopology(const Triangulation& t, std::size_t loops, const char* doma
   const Index chi = EulerCharacteristic(t);
   if (found == loops && chi == 0) return Status();
   const auto genus = (2 - static_cast<Index>(found) - chi) / 2;
-  return Status::InvalidInput(
-      fmt::format("the domain {} takes {}; this one is of genus {} with {} boundary loops", domain,
-                  wanted, genus, found));
+  return Status::InvalidInput(fmt::format("the domain {} takes {}; this one is of genus {} with {}",
+                                          domain, wanted, genus, Count(found, "boundary loop")));
 }
 
 /// Where the layout has the corners.

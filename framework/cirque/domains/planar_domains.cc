@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/boundary_spread.h"
@@ -30,9 +31,8 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
   const auto count = corners.empty() ? static_cast<std::size_t>(sides) : corners.size();
   if (count < 3 || count > loop.size()) {
     return Status::InvalidInput(
-        fmt::format("a polygon of {} corners; give 3 or more, at most the {} vertices of the "
-                    "boundary",
-                    count, loop.size()));
+        fmt::format("a polygon of {}; give 3 or more, at most the {} vertices of the boundary",
+                    Count(count, "corner"), loop.size()));
   }
   const std::vector<Index> needed = CornersBeyondChords(t);
   if (corners.empty() && needed.size() >= count) {

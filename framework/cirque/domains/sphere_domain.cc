@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
@@ -270,9 +271,9 @@ class SphereMapping {
     return Status(
         StatusCode::kUnrepresentable,
         fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
-                    "radii range over {:.1f} and {} faces collapse, faces {} (0-based) "
+                    "radii range over {:.1f} and {} would collapse, faces {} (0-based) "
                     "among them; name another --pole or normalization",
-                    log_radius_range_, flipped_.size(), IdList(flipped_, 5)));
+                    log_radius_range_, Count(flipped_.size(), "face"), IdList(flipped_, 5)));
   }
 
   const Surface& surface_;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include "cirque/core/count.h"
 #include "cirque/io/file_input.h"
 
 namespace cirque {
@@ -211,9 +212,9 @@ class TargetParser {
     const bool reachable = upper <= corners_[v] && lower < corners_[v];
     if (!reachable) {
       return refuse(
-          fmt::format("{} corners of less than pi each cannot reach the angle sum {} pi; "
+          fmt::format("{} of less than pi each cannot reach the angle sum {} pi; "
                       "choose a smaller one or a vertex with more triangles",
-                      corners_[v], lower < corners_[v] ? upper : lower));
+                      Count(corners_[v], "corner"), lower < corners_[v] ? upper : lower));
     }
     targets_.lower[v] = lower * kPi;
     targets_.upper[v] = upper * kPi;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/io/text_writer.h"
 
 namespace cirque {
@@ -57,7 +58,8 @@ std::vector<Index> FirstOfEqualPoints(const std::vector<Eigen::Vector3d>& points
 
 void PassedOver::Warn(PolygonSoup* soup) const {
   if (count_ == 0) return;
-  const std::string more = count_ > 1 ? fmt::format(" (and {} times more)", count_ - 1) : "";
+  const std::string more =
+      count_ > 1 ? fmt::format(" (and {} more)", Count(count_ - 1, "time")) : "";
   soup->warnings.push_back(first_ + ": " + what_ + more);
 }
 

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 #include "cirque/intrinsic/overlay.h"
@@ -71,9 +72,9 @@ class ExactMapMaker {
     }
     if (left.empty()) return Status();
     return Status(StatusCode::kUnrepresentable,
-                  fmt::format("the exact map has {} faces that doubles cannot hold, in face {} "
+                  fmt::format("the exact map has {} that doubles cannot hold, in face {} "
                               "(0-based) of the input the first",
-                              left.size(), overlay_.input_face[left.front()]));
+                              Count(left.size(), "face"), overlay_.input_face[left.front()]));
   }
 
   ExactMap Make() const {

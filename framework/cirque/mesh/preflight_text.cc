@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/mesh/preflight.h"
 
@@ -11,13 +12,9 @@ namespace {
 
 constexpr std::size_t kListed = 10;  // ids of one kind in a message
 
-std::string Count(std::size_t number, const std::string& singular, const std::string& plural) {
-  return fmt::format("{} {}", number, number == 1 ? singular : plural);
-}
-
 /// "1 face", "3 vertices".
-std::string Faces(std::size_t n) { return Count(n, "face", "faces"); }
-std::string Vertices(std::size_t n) { return Count(n, "vertex", "vertices"); }
+std::string Faces(std::size_t n) { return Count(n, "face"); }
+std::string Vertices(std::size_t n) { return Count(n, "vertex"); }
 
 /// The ids counted from 1.
 std::string Ids(std::vector<Index> ids) {
@@ -84,7 +81,7 @@ std::vector<std::string> ConnectivityProblems(const PreflightReport& report,
     problems.push_back(fmt::format(
         "{} with more than two faces, between vertices {}; remove the surplus faces, or let "
         "circle_patterns --repair=safe take the sheets apart",
-        Count(edges.size(), "edge", "edges"), Edges(edges)));
+        Count(edges.size(), "edge"), Edges(edges)));
   }
   if (const auto& ids = report.non_manifold_vertices; !ids.empty()) {
     problems.push_back(
@@ -111,9 +108,9 @@ std::string TopologyLine(const PreflightReport& report) {
   const std::string genus = report.genus == kNone ? "not a manifold"
                             : report.orientable
                                 ? fmt::format("orientable, genus {}", report.genus)
-                                : "not orientable, " + Count(report.genus, "crosscap", "crosscaps");
-  return fmt::format("{}, {}, {}\n", Count(report.components, "component", "components"), genus,
-                     Count(report.boundary_loops, "boundary loop", "boundary loops"));
+                                : "not orientable, " + Count(report.genus, "crosscap");
+  return fmt::format("{}, {}, {}\n", Count(report.components, "component"), genus,
+                     Count(report.boundary_loops, "boundary loop"));
 }
 
 }  // namespace
@@ -134,13 +131,12 @@ std::string DescribeProblems(const PreflightReport& report,
   }
   if (problems.empty()) return "";
   return fmt::format("{} (vertices and faces counted from 1 in the file's order):\n- {}",
-                     Count(problems.size(), "problem", "problems"), Join(problems, "\n- "));
+                     Count(problems.size(), "problem"), Join(problems, "\n- "));
 }
 
 std::string PreflightReport::Text() const {
-  std::string text =
-      fmt::format("{}, {} ({}), {}\n", Vertices(num_vertices), Faces(num_polygons),
-                  Count(num_triangles, "triangle", "triangles"), Count(num_edges, "edge", "edges"));
+  std::string text = fmt::format("{}, {} ({}), {}\n", Vertices(num_vertices), Faces(num_polygons),
+                                 Count(num_triangles, "triangle"), Count(num_edges, "edge"));
   text += TopologyLine(*this);
   text +=
       Line(isolated_vertices, Vertices(isolated_vertices.size()) + " without a face, set aside");
@@ -172,7 +168,7 @@ std::string RepairSummary::Text() const {
                                     "an earlier one has the same vertices");
   if (!split_edges.empty()) {
     text += fmt::format("{}{} of more than two faces opened: {}\n", repair,
-                        Count(split_edges.size(), "edge", "edges"), Edges(split_edges));
+                        Count(split_edges.size(), "edge"), Edges(split_edges));
   }
   text += Line(split_vertices, repair + Vertices(split_vertices.size()) +
                                    " split, where the surface touched itself");

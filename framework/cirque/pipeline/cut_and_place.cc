@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/layout/linear_layout.h"
@@ -34,8 +35,8 @@ Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped)
       StatusCode::kUnrepresentable,
       fmt::format(
           "the flat metric exists but doubles cannot hold it in one chart: log radii range "
-          "over {:.1f} and {} faces collapse, faces {} (0-based) among them; add cones there",
-          range, flipped.size(), IdList(flipped, 5)));
+          "over {:.1f} and {} would collapse, faces {} (0-based) among them; add cones there",
+          range, Count(flipped.size(), "face"), IdList(flipped, 5)));
 }
 
 }  // namespace

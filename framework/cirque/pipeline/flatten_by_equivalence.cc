@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cirque/angles/infeasibility.h"
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/equivalence/half_of_double.h"
 #include "cirque/equivalence/solve_log_scales.h"
@@ -75,9 +76,9 @@ class EquivalenceFlattening {
     if (result_.exact) return Status();
     const std::vector<Index>& flipped = result_.on_input.flipped;
     return Status(StatusCode::kNotConverged,
-                  fmt::format("the conformally equivalent flat metric exists, but {} triangles of "
-                              "the input are flipped in it, faces {} (0-based) among them",
-                              flipped.size(), IdList(flipped, 5)));
+                  fmt::format("the conformally equivalent flat metric exists, but of the "
+                              "input {} would be flipped in it, faces {} (0-based) among them",
+                              Count(flipped.size(), "triangle"), IdList(flipped, 5)));
   }
 
  private:

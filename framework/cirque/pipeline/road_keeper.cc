@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
+
 namespace cirque {
 
 RoadEnd EndOfRoad(const Status& status, const Certificate& certificate) {
@@ -34,7 +36,7 @@ const char* WhyAnotherRoad(RoadEnd end) {
 
 std::string OtherRoads(const LadderSummary& ladder) {
   if (ladder.rungs_tried == 0) return "";
-  return fmt::format(" ({} other roads tried: see the certificate)", ladder.rungs_tried);
+  return fmt::format(" ({} tried: see the certificate)", Count(ladder.rungs_tried, "other road"));
 }
 
 }  // namespace cirque

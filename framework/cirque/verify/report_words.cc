@@ -8,14 +8,6 @@
 
 namespace cirque::verify {
 
-std::string Count(std::size_t number, const std::string& singular) {
-  if (number == 1) return fmt::format("1 {}", singular);
-  if (singular.ends_with("vertex")) {
-    return fmt::format("{} {}vertices", number, singular.substr(0, singular.size() - 6));
-  }
-  return fmt::format("{} {}{}", number, singular, singular.ends_with("ch") ? "es" : "s");
-}
-
 std::string FaceNoun(const PolygonSoup& soup) {
   for (Index p = 0; p < soup.num_polygons(); ++p) {
     if (soup.first_corner[p + 1] - soup.first_corner[p] != 3) return "face";

@@ -4,13 +4,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "cirque/core/count.h"
 #include "cirque/io/polygon_soup.h"
 #include "cirque/verify/uv_complex.h"
 
 namespace cirque::verify {
-
-/// "1 triangle", "3 triangles", "2 vertices", "2 patches".
-std::string Count(std::size_t number, const std::string& singular);
 
 /// What the faces of a mesh are called: "triangle", or "face" where some have more corners.
 std::string FaceNoun(const PolygonSoup& soup);

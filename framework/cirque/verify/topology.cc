@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/core/grouping.h"
 #include "cirque/verify/polygon_check.h"
 
@@ -76,7 +77,7 @@ Status CheckFaces(const PolygonSoup& soup) {
     const Index begin = soup.first_corner[p], end = soup.first_corner[p + 1];
     if (end - begin < 3) {
       return Status::InvalidInput(
-          fmt::format("face {} has {} corners; 3 or more are needed", p, end - begin));
+          fmt::format("face {} has {}; 3 or more are needed", p, Count(end - begin, "corner")));
     }
     for (Index c = begin; c < end; ++c) {
       if (soup.corner[c] >= 0 && soup.corner[c] < num_vertices) continue;
