@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "cirque/core/count.h"
@@ -9,11 +11,17 @@ namespace {
 
 constexpr double kWideRange = 20;  ///< of log areas
 
+/// Of needles whose edge lengths are those of no triangle nothing is measured.
+std::string Distortion(const DistortionSummary& of) {
+  if (!std::isfinite(of.quasi_conformal_mean)) return "no triangle wide enough to be measured";
+  return fmt::format("quasi-conformal {:.5f} mean {:.4g} max", of.quasi_conformal_mean,
+                     of.quasi_conformal_max);
+}
+
 std::string MapLine(const Certificate& c) {
-  const DistortionSummary distortion = c.distortion.value_or(DistortionSummary());
-  return fmt::format("map         {}, {}, quasi-conformal {:.5f} mean {:.4g} max\n",
+  return fmt::format("map         {}, {}, {}\n",
                      Count(c.layout ? c.layout->flipped_triangles : 0, "flipped triangle"),
-                     c.overlap, distortion.quasi_conformal_mean, distortion.quasi_conformal_max);
+                     c.overlap, Distortion(c.distortion.value_or(DistortionSummary())));
 }
 
 std::string ScalesLine(const EquivalenceSummary& scales) {
@@ -164,15 +172,16 @@ std::string RangeLine(const Certificate& c) {
       c.distortion ? c.distortion->log_area_ratio_max - c.distortion->log_area_ratio_min : 0;
   if (vanishing == 0 && !(range > kWideRange)) return "";
   const bool has_cones = c.layout && c.layout->cones.value_or(0) > 0;
-  return fmt::format("warning     areas range over e^{:.0f}, {} lost in single precision: {}\n",
-                     range, Count(vanishing, "triangle"),
+  const std::string lost =
+      vanishing > 0 ? ", " + Count(vanishing, "triangle") + " lost in single precision" : "";
+  return fmt::format("warning     areas range over e^{:.0f}{}: {}\n", range, lost,
                      has_cones ? "more cones (--cones=greedy:cones=N)" : "cones (--cones=greedy)");
 }
 
 std::string PlanarSummary(const Certificate& c) {
   std::string text = SolveLines(c) + MapLine(c) + InjectivityLine(c) + ExactLine(c) + ConeLines(c) +
                      LadderLine(c) + RangeLine(c);
-  if (c.map_refinement) {
+  if (c.map_refinement && std::isfinite(c.map_refinement->map_refinement_before)) {
     text += fmt::format("refinement  {}, objective {:.6g} to {:.6g}\n",
                         Count(c.map_refinement->map_refinement_steps, "step"),
                         c.map_refinement->map_refinement_before,
@@ -187,8 +196,7 @@ std::string ComponentLine(const Certificate& c) {
   const std::string name =
       fmt::format("{} from face {} on: ", Count(of.faces, "face"), of.first_face + 1);
   if (c.layout && c.distortion) {
-    return fmt::format("component   {}quasi-conformal {:.5f} mean {:.4g} max{}\n", name,
-                       c.distortion->quasi_conformal_mean, c.distortion->quasi_conformal_max,
+    return fmt::format("component   {}{}{}\n", name, Distortion(*c.distortion),
                        c.message.empty() ? "" : "; " + c.message);
   }
   return fmt::format("no map      {}{}\n", name, c.message);

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/core/count.h"
 #include "cirque/io/file_input.h"
 #include "cirque/io/mesh_formats.h"
 
@@ -336,8 +337,8 @@ TEST(StlReader, WhatStandsBehindTheTrianglesIsIgnoredWhereItIsNone) {
        {std::string(1, '\0'), std::string(49, 'x'), std::string(500, '\0')}) {
     const PolygonSoup soup = *ParseStl("m", StlBinary() + tail);
     EXPECT_THAT(soup.corner, ElementsAre(0, 1, 2, 1, 3, 2));
-    EXPECT_THAT(soup.warnings, ElementsAre("m: the last " + std::to_string(tail.size()) +
-                                           " bytes, behind the announced triangles, are ignored"));
+    EXPECT_THAT(soup.warnings, ElementsAre("m: what is behind the announced triangles, " +
+                                           Count(tail.size(), "byte") + ", is ignored"));
   }
   EXPECT_EQ(Message(ParseStl, StlBinary() + std::string(50, 'x')),
             "m: a binary STL file with the count in its header has 184 bytes, this one has 234; is "

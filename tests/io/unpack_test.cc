@@ -42,7 +42,7 @@ TEST(Unpacked, UnpacksGzipMemberByMember) {
   EXPECT_EQ(*Unpack(Gzipped("") + Gzipped("a") + Gzipped("b"), &warnings), "ab");
   EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(*Unpack(Gzipped("a") + "tail", &warnings), "a");
-  EXPECT_THAT(warnings, ElementsAre("m: the 4 bytes behind what gzip packed are ignored"));
+  EXPECT_THAT(warnings, ElementsAre("m: what is behind the packed content, 4 bytes, is ignored"));
 }
 
 TEST(Unpacked, RefusesWhatIsCutOrDamaged) {

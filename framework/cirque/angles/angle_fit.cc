@@ -69,8 +69,7 @@ std::string InfeasibleMessage(const InfeasibilityCertificate& certificate) {
           : fmt::format(" with margin {:.1e} rad", certificate.epsilon_over_pi * kPi);
   return fmt::format(
       "no coherent angles{} exist: the infeasibility certificate's multipliers are largest at "
-      "faces {} and vertices {} (0-based); allow cones there, or flip to the intrinsic Delaunay "
-      "triangulation",
+      "faces {} and vertices {} (0-based); allow cones there",
       margin, IdList(certificate.carrying_faces), IdList(certificate.carrying_vertices));
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/io/file_input.h"
 #include "cirque/io/mesh_formats.h"
 
@@ -57,9 +58,8 @@ PolygonSoup ParseBinary(const std::string& path, std::string_view content) {
   soup.not_finite_at = not_finite_at;
   if (content.size() > size) {
     soup.warnings.push_back(
-        fmt::format("{}: the last {} bytes, behind the announced triangles, "
-                    "are ignored",
-                    path, content.size() - size));
+        fmt::format("{}: what is behind the announced triangles, {}, is ignored", path,
+                    Count(content.size() - size, "byte")));
   }
   return soup;
 }

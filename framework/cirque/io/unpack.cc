@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/count.h"
 #include "cirque/io/file_input.h"
 
 namespace cirque {
@@ -83,7 +84,7 @@ StatusOr<std::string> Gunzipped(const std::string& path, std::string_view packed
   }
   if (!packed.empty()) {
     warnings->push_back(
-        fmt::format("{}: the {} bytes behind what gzip packed are ignored", path, packed.size()));
+        fmt::format("{}: what is behind the packed content, {}, is ignored", path, Count(packed.size(), "byte")));
   }
   return out;
 }

@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cirque/angles/infeasibility.h"
+#include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/pipeline/retriangulate.h"
@@ -37,6 +40,15 @@ std::vector<bool> Neighbourhood(const Triangulation& t, std::vector<Index> faces
   return inside;
 }
 
+/// Why the input's own triangulation was solved on, and what else there is: `on_input` alone would
+/// say that nothing is known.
+Status AfterFlips(const std::vector<Index>& flipped, const Status& on_input) {
+  return {on_input.code(),
+          fmt::format("the circle pattern on the intrinsic Delaunay triangulation would flip {} of "
+                      "the input (--exact=OUT writes its map), and on the input's own triangles {}",
+                      Count(flipped.size(), "triangle"), on_input.message())};
+}
+
 /// One surface on its way to a flat metric.
 class Flattening {
  public:
@@ -53,7 +65,7 @@ class Flattening {
   Status Run() {
     result_.exact.reset();
     if (Status s = CheckTargets(job_.surface, targets_, &result_.infeasibility); !s.ok()) return s;
-    if (options_.triangulation == SolvedTriangulation::kInput) return SolveOnInput();
+    if (options_.triangulation == SolvedTriangulation::kInput) return SolveAsAsked();
     std::vector<bool> locked(input_.num_edges(), false);
     if (job_.locked) locked = *job_.locked;
     flips_.delaunay_rounds = 0;
@@ -66,8 +78,9 @@ class Flattening {
     if (flipped.ok() && flipped->empty()) return Status();
     if (!flipped.ok() && !MayDoBetterOnInput(flipped.status())) return flipped.status();
     Status status = SolveOnInput();
-    if (MayDoBetterOnInput(status) && first_) return TakeFirst();
-    return status;
+    if (!MayDoBetterOnInput(status)) return status;
+    if (first_) return TakeFirst();
+    return flipped.ok() ? AfterFlips(*flipped, status) : status;
   }
 
  private:
@@ -116,6 +129,13 @@ class Flattening {
     has_start_ = true;
     AddSeconds(timer, &certificate_.seconds.triangulation);
     return status;
+  }
+
+  /// On the input's triangles because these were asked for.
+  Status SolveAsAsked() {
+    const Status status = SolveOnInput();
+    if (status.code() != StatusCode::kInfeasible) return status;
+    return {status.code(), status.message() + ", or flip to the intrinsic Delaunay triangulation"};
   }
 
   Status SolveOnInput() {
