@@ -1,6 +1,7 @@
 """The documentation as a site: framework/docs/build."""
 import pathlib
 import re
+import shutil
 import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -16,6 +17,7 @@ extensions = ["myst_parser"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 html_theme = "furo"
+html_static_path = ["static"]
 html_title = "Cirque"
 html_show_sphinx = html_show_copyright = False
 html_copy_source = html_show_sourcelink = False
@@ -57,6 +59,18 @@ def made_elsewhere(app, env, added, changed, removed):
     return [page for page in env.found_docs if page in ELSEWHERE or page.startswith("reference/")]
 
 
+def keep_within_site(app, exception):
+    """Debian's theme names a style sheet by where Debian's web servers have it: a copy of that goes beside it."""
+    styles = pathlib.Path(app.outdir) / "_static/styles"
+    served = re.compile(r"url\(/javascript/([^)]+)\)")
+    for sheet in [] if exception else styles.glob("*.css"):
+        text = sheet.read_text()
+        for path in served.findall(text):
+            shutil.copy(pathlib.Path("/usr/share/javascript") / path, styles)
+        sheet.write_text(served.sub(lambda match: f"url({pathlib.PurePath(match[1]).name})", text))
+
+
 def setup(app):
+    app.connect("build-finished", keep_within_site)
     app.connect("env-get-outdated", made_elsewhere)
     app.connect("source-read", read_page)
