@@ -61,16 +61,19 @@ const OptionTable<MeshOptions>& MeshOptionTable() {
   static const OptionTable<M> kTable(
       "mesh",
       {Option<M>("repair", &M::repair,
-                 "none; safe: set aside faces of no area and duplicates, split vertices and edges "
-                 "where the surface is none; weld or weld:TOLERANCE (of the bounding box): first "
-                 "make boundary vertices one that lie together. All faces are written")
+                 "what is done to a mesh that is no surface: none, safe, weld or weld:TOLERANCE; "
+                 "safe: faces of no area and duplicates are set aside, vertices and edges split "
+                 "where the surface touches itself; weld: first boundary vertices become one "
+                 "that lie together (TOLERANCE: of the bounding box). All faces are written")
            .Checked([](const std::string& text) { return ParseRepair(text).status(); })
            .About("Files"),
        Option<M>("fill_holes", &M::fill_holes,
                  "close all boundary loops but the longest for the solve; the fill is not written")
            .About("Shape"),
-       Option<M>("uv", &M::uv,
-                 "as_is: true length; unit: within the unit square; scale=S: true length times S")
+       Option<M>(
+           "uv", &M::uv,
+           "the map's size: as_is, unit or scale=S; as_is: true length; unit: within the unit "
+           "square; scale: true length times S")
            .Checked(CheckUvSize)
            .About("Output"),
        Option<M>("uv_margin", &M::uv_margin,

@@ -29,8 +29,9 @@ Status CheckTopology(const Triangulation& t, std::size_t loops, const char* doma
   const Index chi = EulerCharacteristic(t);
   if (found == loops && chi == 0) return Status();
   const auto genus = (2 - static_cast<Index>(found) - chi) / 2;
-  return Status::InvalidInput(fmt::format("the domain {} takes {}; this one is of genus {} with {}",
-                                          domain, wanted, genus, Count(found, "boundary loop")));
+  return Status::InvalidInput(
+      fmt::format("the domain {} takes {}; this one is of genus {} with {}; choose another domain",
+                  domain, wanted, genus, Count(found, "boundary loop")));
 }
 
 /// Where the layout has the corners.
