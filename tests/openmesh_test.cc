@@ -20,6 +20,7 @@
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
 
+#include "tests/common/run_program.h"
 #include "tests/common/surfaces.h"
 #include "tests/common/temporary_folder.h"
 
@@ -325,6 +326,71 @@ TEST(OpenMeshFile, KeepsTheExactUvs) {
   for (auto h = mesh.halfedges_begin(); h != mesh.halfedges_end(); ++h) {
     EXPECT_EQ(back.property(uv, OpenMesh::HalfedgeHandle(h->idx())), UvAt(mesh, *h));
   }
+}
+
+/// The cut of the feature edges as a file has it: from, to and the face between them, from 1.
+std::string CutFileOf(const UsersMesh& mesh, const OpenMeshFaces& faces,
+                      const std::vector<OpenMesh::EdgeHandle>& path) {
+  std::string text;
+  for (const OpenMesh::EdgeHandle e : path) {
+    const auto h = mesh.halfedge_handle(e, 0);
+    const auto face = std::find(faces.face.begin(), faces.face.end(), mesh.face_handle(h).idx());
+    text += std::to_string(faces.number[mesh.from_vertex_handle(h).idx()] + 1) + " " +
+            std::to_string(faces.number[mesh.to_vertex_handle(h).idx()] + 1) + " " +
+            std::to_string(face - faces.face.begin() + 1) + "\n";
+  }
+  return text;
+}
+
+/// Faces without a vertex on the boundary, on the path or on each other, deleted; returns how many.
+int DeleteFacesBeside(const std::vector<OpenMesh::EdgeHandle>& path, UsersMesh* mesh) {
+  std::vector<bool> kept(mesh->n_vertices(), false);
+  for (const OpenMesh::EdgeHandle e : path) {
+    for (const int side : {0, 1}) {
+      kept[mesh->to_vertex_handle(mesh->halfedge_handle(e, side)).idx()] = true;
+    }
+  }
+  for (const auto v : mesh->vertices()) kept[v.idx()] = kept[v.idx()] || v.is_boundary();
+  int deleted = 0;
+  for (const auto f : mesh->faces()) {
+    auto vertices = f.vertices();
+    if (vertices.any_of([&](const auto& v) { return kept[v.idx()]; })) continue;
+    for (const auto& v : vertices) {
+      for (const auto& beside : v.vertices()) kept[beside.idx()] = true;
+    }
+    mesh->delete_face(f, false);
+    if (++deleted == 2) break;
+  }
+  return deleted;
+}
+
+// Through the bridge and back is bit by bit what comes of the files: the mesh that is left as an OBJ,
+// its feature edges as a cut.
+TEST(OpenMeshFile, FeatureEdgesAndDeletedFacesGiveTheMapOfTheirFiles) {
+  UsersMesh mesh = MeshOf<UsersMesh>(Generated("annulus", 1000));
+  auto start = mesh.vertices_begin();
+  while (!mesh.is_boundary(*start)) ++start;
+  const std::vector<OpenMesh::EdgeHandle> path = PathAcross(mesh, *start);
+  ASSERT_GT(path.size(), 1u);
+  for (const OpenMesh::EdgeHandle e : path) mesh.status(e).set_feature(true);
+  ASSERT_EQ(DeleteFacesBeside(path, &mesh), 2);
+  const OpenMeshFaces faces = FacesOf(mesh);
+  ASSERT_EQ(faces.soup.num_polygons() + 2, static_cast<Index>(mesh.n_faces()));
+  ASSERT_TRUE(MapOpenMesh({}, {}, &mesh).ok());
+
+  const TemporaryFolder folder;
+  const std::string in = folder.Path("in.obj"), out = folder.Path("out.obj");
+  ASSERT_TRUE(WriteMesh(in, faces.soup).ok());
+  const std::string cut = folder.Write("cut.txt", CutFileOf(mesh, faces, path));
+  const ProgramResult run = RunProgram("circle_patterns " + in + " " + out + " -ie " + cut);
+  ASSERT_EQ(run.exit_status, 0) << run.output;
+  const PolygonSoup map = *ReadMesh(out);
+  ASSERT_EQ(map.corner, faces.soup.corner);
+  for (std::size_t c = 0; c < map.corner.size(); ++c) {
+    const OpenMesh::Vec2d uv = UvAt(mesh, OpenMesh::HalfedgeHandle(faces.halfedge[c]));
+    EXPECT_EQ(map.texture[map.corner_texture[c]], Eigen::Vector2d(uv[0], uv[1]));
+  }
+  EXPECT_GT(map.texture.size(), map.position.size());  // opened
 }
 
 // Its files of double points, polygons, deleted faces and properties are read exactly.

@@ -164,7 +164,9 @@ class SharedCases : public ::testing::Test {
     for (const std::string& words : of.says) EXPECT_THAT(run.output, HasSubstr(words));
     EXPECT_EQ(run.output.find("nan"), std::string::npos) << run.output;
     const auto values = nlohmann::json::parse(folder_.Read("out.json"))["values"];
-    if (of.most_mean < kAny) EXPECT_LE(values["quasi_conformal_mean"], of.most_mean);
+    if (of.most_mean < kAny) {
+      EXPECT_LE(values["quasi_conformal_mean"], of.most_mean);
+    }
     const ProgramResult judged = RunProgram("verify_map " + in + " " + out);
     EXPECT_EQ(judged.exit_status, 0) << judged.output;
   }

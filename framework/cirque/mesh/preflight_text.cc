@@ -172,13 +172,14 @@ std::string RepairSummary::Text() const {
   }
   text += Line(split_vertices, repair + Vertices(split_vertices.size()) +
                                    " split, where the surface touched itself");
-  text += Line(t_junctions, seen + Count(t_junctions.size(), "T-junction", "T-junctions") +
+  text += Line(t_junctions, seen + Count(t_junctions.size(), "T-junction") +
                                 ", boundary vertices inside another boundary edge, left");
   if (coincident_edges > 0) {
     text += fmt::format(
         "{}{} where others do: the mesh is not welded there; --repair=weld joins "
         "it\n",
-        seen, Count(coincident_edges, "boundary edge lies", "boundary edges lie"));
+        seen,
+        Count(coincident_edges, "boundary edge") + (coincident_edges == 1 ? " lies" : " lie"));
   }
   return text;
 }
