@@ -35,8 +35,13 @@ const char* WhyAnotherRoad(RoadEnd end) {
 }
 
 std::string OtherRoads(const LadderSummary& ladder) {
-  if (ladder.rungs_tried == 0) return "";
-  return fmt::format(" ({} tried: see the certificate)", Count(ladder.rungs_tried, "other road"));
+  if (ladder.rungs_tried == 0 || ladder.tried.empty()) return "";
+  // That rung's metric exists for all cones; what it may lack is room for the input's triangles.
+  const RungSummary& last = ladder.tried.back();
+  const bool exact =
+      last.rung == "equivalence" && last.outcome == ToString(StatusCode::kNotConverged);
+  return fmt::format(" ({} tried: see the certificate{})", Count(ladder.rungs_tried, "other road"),
+                     exact ? "; --exact=OUT may have a map" : "");
 }
 
 }  // namespace cirque
