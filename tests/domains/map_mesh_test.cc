@@ -92,7 +92,7 @@ TEST(MapMesh, WhatHasAMapIsThereWhereAnotherHasNone) {
   MapFailure failure;
   const Status status = MapSurface(ArraysOf(soup), to_disk, {}, &failure).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidInput);
-  EXPECT_THAT(status.message(), HasSubstr("1 of 3 components have no map"));
+  EXPECT_THAT(status.message(), HasSubstr("1 of 3 components without a map"));
   ASSERT_TRUE(failure.partial);
   EXPECT_EQ(failure.certificate.atlas->components_failed, 1);
   EXPECT_EQ(failure.partial->mesh.corner, soup.corner);

@@ -168,7 +168,7 @@ TEST_F(ComponentsProgramTest, AComponentThatFailsIsNamedAndTheOthersComeOut) {
   const ProgramResult mapped = Flatten(in, "--domain=disk");
   EXPECT_EQ(mapped.exit_status, 2);
   EXPECT_THAT(mapped.output, HasSubstr("2 mapped, 1 without a map"));
-  EXPECT_THAT(mapped.output, HasSubstr("1 of 3 components have no map"));
+  EXPECT_THAT(mapped.output, HasSubstr("1 of 3 components without a map"));
   EXPECT_EQ(Certificate()["outcome"], "invalid_input");
   EXPECT_EQ(Certificate()["values"]["components_failed"], 1);
   EXPECT_TRUE(ReadMesh(Out()).ok());

@@ -99,7 +99,7 @@ TEST_F(ProgramsTest, ConesFixedAndRangedAreMet) {
     std::ofstream(cones) << inner + 1 << " " << range << "\n";
     const ProgramResult flattened = Flatten(in, out, "-iv " + cones);
     EXPECT_EQ(flattened.exit_status, 0) << flattened.output;
-    EXPECT_THAT(flattened.output, HasSubstr("1 cones"));
+    EXPECT_THAT(flattened.output, HasSubstr("1 cone,"));
     const ProgramResult verified = RunProgram("verify_map " + in + " " + out);
     EXPECT_EQ(verified.exit_status, 0) << verified.output;
   }
@@ -276,7 +276,7 @@ TEST_F(ProgramsTest, BadInputIsExitStatusTwoAndLeavesNothing) {
            {"circle_patterns -io " + in + " -oo " + folder_.Path("x.png"),
             "one of obj, off, ply, glb"},
            {"circle_patterns -io " + in + " -oo " + out + " -epsilon many", "epsilon"},
-           {"verify_map " + in, "files given"},
+           {"verify_map " + in, "1 file given"},
            {"verify_map " + in + " " + folder_.Path("none.obj"), "none.obj"},
            {"run_experiment " + folder_.Path("none.yaml"), "none.yaml"}}) {
     const ProgramResult result = RunProgram(command);

@@ -89,7 +89,7 @@ def test_what_has_a_map_comes_with_the_error():
     V, F = grid(4)
     W, G = ball(1)
     both = np.vstack([V, W + [9, 0, 0]]), np.vstack([F, G + len(V)])
-    with pytest.raises(cirque.InvalidInputError, match="1 of 2 components have no map") as error:
+    with pytest.raises(cirque.InvalidInputError, match="1 of 2 components without a map") as error:
         cirque.disk(*both)
     partial = error.value.map
     assert len(partial.f_uv) == len(both[1])
