@@ -12,6 +12,7 @@ namespace cirque {
 inline std::string GeneratorFor(const std::string& domain) {
   if (domain == "annulus" || domain == "strip") return "annulus";
   if (domain == "torus") return "torus";
+  if (domain == "round_holes") return "annulus";
   return domain == "sphere" ? "blob" : "hemisphere";
 }
 

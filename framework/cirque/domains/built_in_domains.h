@@ -115,6 +115,21 @@ Status MapToAnnulus(const Surface& surface, const MapRequest& request, const Sol
 Status MapToTorus(const Surface& surface, const MapRequest& request, const SolveControl& control,
                   SurfaceMap* map);
 
+/// Map of a surface of genus 0 with two or more boundary loops to the unit disk with round holes (P.
+/// Koebe, 1908: there is one, up to Moebius maps of the disk), the longest loop on the unit circle. Every
+/// loop gets the angle sums of a polygon inscribed in a circle whose edges have the lengths of the
+/// loop's (HalfCentralAngles), at first those on the surface, then those of the flat metric that comes
+/// out, by Anderson's acceleration until they stay: a fixed point is inscribed exactly, and closes
+/// around every hole. One solve a round, ten to twenty rounds. Edges between two vertices of the outer
+/// loop are split for the solve.
+///
+/// Boundary vertices lie on their circles to rounding. The two degrees of freedom that Moebius maps
+/// leave are where the boundary's lengths on the surface lead. Certificate: RoundHolesSummary. Errors:
+/// kInvalidInput for any other topology and for an edge between two vertices of one hole; those of
+/// Parameterize; kUnrepresentable where triangles are too large for their circle; kNotConverged.
+Status MapToRoundHoles(const Surface& surface, const MapRequest& request,
+                       const SolveControl& control, SurfaceMap* map);
+
 /// Parameterize: a surface of any topology, opened along a cut where it is no disk or has cones.
 Status MapToPlane(const Surface& surface, const MapRequest& request, const SolveControl& control,
                   SurfaceMap* map);

@@ -8,14 +8,12 @@
 
 #include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
-#include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
+#include "cirque/domains/corner_places.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/seams.h"
 #include "cirque/math/lattice.h"
 #include "cirque/math/moebius.h"
-#include "cirque/metrics/injectivity.h"
-#include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
 namespace {
@@ -79,21 +77,6 @@ double MakeExact(const Triangulation& t, const Lattice& lattice, bool cyclic, in
     moved = std::max(moved, std::abs((*place)[h] - before[h]));
   }
   return moved;
-}
-
-/// Puts the corners there; refuses a map that comes out flipped, `because`.
-Status Deliver(const Triangulation& t, const std::vector<Complex>& place, const char* because,
-               SurfaceMap* map) {
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    map->uv.value[h] = {place[h].real(), place[h].imag()};
-  }
-  const std::vector<Index> flipped = FlippedFaces(t, map->uv);
-  LayoutSummary& layout = Fill(&map->certificate.layout);
-  layout.flipped_triangles = static_cast<int>(flipped.size());
-  layout.float32_vanishing_triangles = static_cast<int>(FlippedFacesInFloat32(t, map->uv).size());
-  if (flipped.empty()) return Status();
-  return Status(StatusCode::kUnrepresentable, fmt::format("{}: faces {} (0-based) come out flipped",
-                                                          because, IdList(flipped, 5)));
 }
 
 /// A strip of height 1, its bottom the longer boundary loop.
@@ -175,11 +158,6 @@ StatusOr<Strip> MapToStripOf(const Surface& surface, const char* domain, const M
   return strip;
 }
 
-void MeasureAgain(const Surface& surface, SurfaceMap* map) {
-  MeasureDistortion(surface.triangulation, MeasureEdgeLengths(surface), map->cut, map->uv,
-                    &map->certificate);
-}
-
 /// Winds the strip round: every vertex once, its boundary on the circles.
 std::vector<Complex> WindRound(const Triangulation& t, const Strip& strip,
                                PeriodicSummary* summary) {
@@ -235,10 +213,8 @@ Status MapToStrip(const Surface& surface, const MapRequest& request, const Solve
   const StatusOr<Strip> strip = MapToStripOf(surface, "strip", request, control, map);
   if (!strip.ok()) return strip.status();
   map->certificate.periodic->strip_period = strip->period;
-  Status status = Deliver(surface.triangulation, strip->place,
-                          "doubles cannot hold the strip with its seam exact", map);
-  if (status.ok()) MeasureAgain(surface, map);
-  return status;
+  return PutCorners(surface, strip->place, "doubles cannot hold the strip with its seam exact",
+                    map);
 }
 
 Status MapToAnnulus(const Surface& surface, const MapRequest& request, const SolveControl& control,
@@ -247,16 +223,12 @@ Status MapToAnnulus(const Surface& surface, const MapRequest& request, const Sol
   if (!strip.ok()) return strip.status();
   const Triangulation& t = surface.triangulation;
   const std::vector<Complex> place = WindRound(t, *strip, &*map->certificate.periodic);
-  map->cut.edge.assign(t.num_edges(), false);
-  map->certificate.seams = SeamSummary();
-  Fill(&map->certificate.layout).cut_length = 0;
-  Status status = Deliver(t, place,
-                          "the strip that is wound to an annulus exists, but its triangles, which "
-                          "stay straight, are too large for the inner circle (subdivide there, or "
-                          "map to a strip)",
-                          map);
-  if (status.ok()) MeasureAgain(surface, map);
-  return status;
+  ForgetCut(t, map);
+  return PutCorners(surface, place,
+                    "the strip that is wound to an annulus exists, but its triangles, which stay "
+                    "straight, are too large for the inner circle (subdivide there, or map to a "
+                    "strip)",
+                    map);
 }
 
 Status MapToTorus(const Surface& surface, const MapRequest& request, const SolveControl& control,
@@ -280,9 +252,7 @@ Status MapToTorus(const Surface& surface, const MapRequest& request, const Solve
   summary.modulus_real = exact.real();
   summary.modulus_imaginary = exact.imag();
   summary.period_mismatch = MakeExact(t, {1, exact}, false, grid, &place);
-  status = Deliver(t, place, "doubles cannot hold the torus with its seams exact", map);
-  if (status.ok()) MeasureAgain(surface, map);
-  return status;
+  return PutCorners(surface, place, "doubles cannot hold the torus with its seams exact", map);
 }
 
 }  // namespace cirque

@@ -27,6 +27,8 @@ const Registry<MeshGenerator>& MeshGenerators() {
                          {"long_capped_tube", AtLeast(kMinTriangles, LongCappedTube)},
                          {"hexagonal_fan", HexagonalFan},
                          {"annulus", AtLeast(kMinTriangles, Annulus)},
+                         {"eccentric_annulus", AtLeast(kMinTriangles, EccentricAnnulus)},
+                         {"plate_with_holes", AtLeast(kMinTrianglesWithHandles, PlateWithHoles)},
                          {"catenoid", AtLeast(kMinTriangles, Catenoid)},
                          {"sphere", AtLeast(kMinTriangles, Sphere)},
                          {"blob", AtLeast(kMinTriangles, Blob)},

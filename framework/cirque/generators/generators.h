@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "cirque/core/registry.h"
 #include "cirque/core/status.h"
@@ -24,7 +27,7 @@ struct GeneratorOptions {
 using MeshGenerator = std::function<PolygonSoup(const GeneratorOptions&)>;
 
 /// The least number of triangles of every generator: disks, rings and spheres; closed surfaces with
-/// handles.
+/// handles, and the plate.
 inline constexpr Index kMinTriangles = 20, kMinTrianglesWithHandles = 400;
 
 /// The most that GenerateMesh makes: 32-bit halfedge numbers hold a little more.
@@ -78,6 +81,25 @@ PolygonSoup HexagonalFan(const GeneratorOptions& options);
 /// The plane ring between the circles of radius 0.4 and 1. V - E + F = 0, two loops. Conformal map:
 /// the identity.
 PolygonSoup Annulus(const GeneratorOptions& options);
+
+/// The plane ring between the unit circle and the circle of radius 0.3 about (0.4, 0). V - E + F = 0,
+/// two loops. Conformal map: the concentric ring (EccentricAnnulusMap).
+PolygonSoup EccentricAnnulus(const GeneratorOptions& options);
+
+/// The plate x^4 + y^4 <= 1 at z = 0 with five elliptic holes (PlateHoles). V - E + F = -4, six loops.
+/// Conformal map: the identity.
+PolygonSoup PlateWithHoles(const GeneratorOptions& options);
+
+/// An ellipse of the plane by its centre, its semi-axes and the angle of the first with the x axis
+/// [rad].
+struct EllipticHole {
+  Eigen::Vector2d centre, axes;
+  double angle;
+
+  /// 1 on the ellipse grown outwards by that much along its axes, less inside.
+  double Norm(const Eigen::Vector2d& point, double grown = 0) const;
+};
+const std::array<EllipticHole, 5>& PlateHoles();
 
 /// The catenoid (cosh z cos p, cosh z sin p, z), |z| <= 1.2. V - E + F = 0, two loops. Conformal
 /// map: the ring between the radii e^-1.2 and e^1.2.

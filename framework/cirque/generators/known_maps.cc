@@ -1,6 +1,7 @@
 #include "cirque/generators/known_maps.h"
 
 #include <cmath>
+#include <complex>
 
 #include "cirque/core/types.h"
 
@@ -58,6 +59,18 @@ Vector3d PlaneToCatenoid(const Vector2d& w) {
   return {xy.x(), xy.y(), z};
 }
 
+constexpr double kEccentricPole = 0.44929605382547434;  ///< c of EccentricAnnulusMap
+
+Vector2d EccentricToConcentric(const Vector3d& p) {
+  const std::complex<double> z(p.x(), p.y()), w = (z - kEccentricPole) / (1.0 - kEccentricPole * z);
+  return {w.real(), w.imag()};
+}
+
+Vector3d ConcentricToEccentric(const Vector2d& p) {
+  const std::complex<double> w(p.x(), p.y()), z = (w + kEccentricPole) / (1.0 + kEccentricPole * w);
+  return {z.real(), z.imag(), 0};
+}
+
 /// ds/dq integrates to
 ///   s = 2 k atan(m tan(q/2)),   k = r / sqrt(R^2 - r^2),   m = sqrt((R - r) / (R + r)).
 constexpr double kBig = kTorusMajorRadius, kSmall = kTorusMinorRadius;
@@ -95,6 +108,8 @@ ConformalMap CatenoidMap() {
           PlaneToCatenoid};
 }
 
+ConformalMap EccentricAnnulusMap() { return {EccentricToConcentric, ConcentricToEccentric}; }
+
 ConformalMap TorusMap() { return {TorusToPlane, PlaneToTorus}; }
 
 Vector2d TorusPeriods() { return {2 * kPi, 2 * kPi * TorusScale()}; }
@@ -109,6 +124,8 @@ const Registry<ConformalMap>& KnownConformalMaps() {
                                              {"capped_tube", CappedTubeMap()},
                                              {"long_capped_tube", CappedTubeMap()},
                                              {"annulus", IdentityMap()},
+                                             {"eccentric_annulus", EccentricAnnulusMap()},
+                                             {"plate_with_holes", IdentityMap()},
                                              {"catenoid", CatenoidMap()},
                                              {"sphere", StereographicMap()},
                                              {"torus", TorusMap()}});

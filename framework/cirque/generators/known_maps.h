@@ -38,6 +38,13 @@ ConformalMap CappedTubeMap();
 ///   (cosh z cos p, cosh z sin p, z) -> e^-z (cos p, sin p).
 ConformalMap CatenoidMap();
 
+/// The plane ring between the unit circle and that of radius 0.3 about (0.4, 0), onto the concentric
+/// one: z -> (z - c) / (1 - c z) with c such that the inner circle's ends go to +-q.
+ConformalMap EccentricAnnulusMap();
+inline constexpr double kEccentricRadius = 0.3, kEccentricShift = 0.4;
+/// q = e^-arcosh((1 + r^2 - d^2) / (2 r)) for r = 0.3, d = 0.4: the concentric ring's inner radius.
+inline constexpr double kEccentricConformalRadius = 0.36572807176729882;
+
 /// The torus, R = 1, r = 0.4:
 ///   ((R + r cos q) cos p, (R + r cos q) sin p, r sin q) -> (p, s),   ds = r dq / (R + r cos q),
 /// both counted modulo their periods from -half to half: a rectangle of 2 pi times

@@ -114,4 +114,18 @@ PolygonSoup Catenoid(const GeneratorOptions& options) {
                    options);
 }
 
+/// From the concentric ring of radii q and 1, so that triangles are round where the ring is thin.
+PolygonSoup EccentricAnnulus(const GeneratorOptions& options) {
+  SurfaceChart chart = RingChart(
+      EccentricAnnulusMap(), [](double a) { return std::pow(kEccentricConformalRadius, 1 - a); },
+      kEccentricRadius, 1);
+  chart.allowed = [lift = chart.lift](const Eigen::Vector2d& w, double edge_length) {
+    const double clearance = kClearance * std::min(edge_length, kEccentricRadius);
+    const Eigen::Vector2d z = lift(w).head<2>();
+    return z.norm() < 1 - clearance &&
+           (z - Eigen::Vector2d(kEccentricShift, 0)).norm() > kEccentricRadius + clearance;
+  };
+  return MeshChart(chart, options);
+}
+
 }  // namespace cirque

@@ -51,6 +51,7 @@ struct Certificate {
   std::optional<HalfPlaneSummary> half_plane;
   std::optional<PolygonSummary> polygon;
   std::optional<PeriodicSummary> periodic;
+  std::optional<RoundHolesSummary> round_holes;
   std::optional<AtlasSummary> atlas;
   std::optional<ProcessSummary> process;
   StageSeconds seconds;

@@ -16,6 +16,7 @@ constexpr char kDisk[] = "disk";
 constexpr char kHalfPlane[] = "half-plane";
 constexpr char kPolygon[] = "polygon";
 constexpr char kPeriodic[] = "annulus, strip and torus";
+constexpr char kRoundHoles[] = "round holes";
 constexpr char kAtlas[] = "several components";
 constexpr char kProcess[] = "process";
 
@@ -187,6 +188,23 @@ constexpr CertificateRow kRows[] = {
     {"period_mismatch", kPeriodic, "",
      "largest distance of a seam from its translation before that was made exact",
      ReadMember<&C::periodic, &PeriodicSummary::period_mismatch>},
+    {"holes", kRoundHoles, "", "holes in the disk",
+     ReadMember<&C::round_holes, &RoundHolesSummary::holes>},
+    {"round_hole_rounds", kRoundHoles, "",
+     "solves until the boundary's lengths were those that its angles were chosen for",
+     ReadMember<&C::round_holes, &RoundHolesSummary::rounds>},
+    {"split_chords", kRoundHoles, "",
+     "edges between two vertices of the outer boundary that were split for the solve",
+     ReadMember<&C::round_holes, &RoundHolesSummary::chords>},
+    {"roundness", kRoundHoles, "",
+     "largest relative distance of a boundary vertex from its circle as it was laid out",
+     ReadMember<&C::round_holes, &RoundHolesSummary::roundness>},
+    {"circle_error", kRoundHoles, "", "the same once it was put on it",
+     ReadMember<&C::round_holes, &RoundHolesSummary::circle_error>},
+    {"smallest_hole_radius", kRoundHoles, "", "least radius of a hole in the unit disk",
+     ReadMember<&C::round_holes, &RoundHolesSummary::smallest_radius>},
+    {"largest_hole_radius", kRoundHoles, "", "the largest",
+     ReadMember<&C::round_holes, &RoundHolesSummary::largest_radius>},
     {"components", kAtlas, "", "parts of the mesh, each mapped by itself",
      ReadMember<&C::atlas, &AtlasSummary::components>},
     {"components_failed", kAtlas, "", "those of them that have no map",

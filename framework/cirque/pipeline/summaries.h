@@ -234,6 +234,14 @@ struct PeriodicSummary {
   double period_mismatch = kUnset;  ///< of seams from their translations before these were exact
 };
 
+/// A map to a disk with round holes.
+struct RoundHolesSummary {
+  int holes = 0, rounds = 0;
+  int chords = 0;  ///< edges between two vertices of the outer boundary, split for the solve
+  double roundness = kUnset, circle_error = kUnset;
+  double smallest_radius = kUnset, largest_radius = kUnset;
+};
+
 /// The part of a mesh file that a certificate is about, where there are several.
 struct ComponentSummary {
   Index first_face = kNone;  ///< its first polygon in the file, from 0
