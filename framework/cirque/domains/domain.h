@@ -29,6 +29,9 @@ struct DomainOptions {
   int sides = 4;  ///< polygon without corners given: how many
   /// plane: a file of where vertices go, a line `vertex x y` each (ReadPins); empty: none.
   std::string pins = {};
+  /// plane, three pins or more: how much their misses weigh against the map's energy; 0: they are met
+  /// exactly or there is no map (MeetLandmarks).
+  double pin_weight = 0;
   /// sphere: turned so that the second moments of the surface's area on it are largest along x and
   /// smallest along z, the third moments along x and y positive. (Symmetric surfaces leave axes or
   /// signs undetermined: rounding then decides, the same way every time.)

@@ -47,7 +47,12 @@ const OptionTable<DomainOptions>& DomainOptionTable() {
             .Between(3, 1000),
         {"pins", &O::pins,
          "plane: file of where vertices go, 'vertex x y' a line: one moves the map, two turn and "
-         "scale it"}};
+         "scale it, more bend it without flips"},
+        Option<O>(
+            "pin_weight", &O::pin_weight,
+            "plane, three pins or more: weight of their misses against the map's distortion; 0: "
+            "they are met exactly")
+            .Between(0, 1e12)};
     for (Option<O>& row : rows) {
       const std::string& name = row.info().name;
       const bool of_sphere = name == "principal_axes" || name == "inversion";

@@ -9,8 +9,15 @@
 
 #include <fmt/format.h>
 
+#include "cirque/core/option.h"
+#include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
+#include "cirque/cuts/cut_graph.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/file_input.h"
+#include "cirque/layout/landmarks.h"
+#include "cirque/layout/seams.h"
+#include "cirque/layout/stretch_energy.h"
 #include "cirque/math/moebius.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/finish_layout.h"
@@ -18,7 +25,8 @@
 namespace cirque {
 namespace {
 
-constexpr std::size_t kMostPins = 2;
+constexpr std::size_t kOfSimilarity = 2;  ///< pins
+constexpr double kCollapses = 0.1;        ///< of the pins' spread: a similarity is mirrored
 
 class PinParser {
  public:
@@ -61,12 +69,6 @@ class PinParser {
       if (other.vertex == pin.vertex) return scanner_.Error("the vertex has a pin already");
       if (other.at == pin.at) return scanner_.Error("another vertex is pinned there already");
     }
-    if (pins_.size() == kMostPins) {
-      return scanner_.Error(
-          "a third pin; one pin moves the map and two turn and scale it, with more of them it "
-          "could "
-          "not keep its angles");
-    }
     pins_.push_back(pin);
     return Status();
   }
@@ -97,22 +99,119 @@ struct Similarity {
   Complex factor = 1, from, to;
 };
 
+/// The one that comes nearest in the mean square; of two pins exactly. Of pins that are mirrored in the map
+/// it would be a point: then only the place and the size.
 StatusOr<Similarity> SimilarityOf(const Surface& surface, const std::vector<Pin>& pins,
                                   const CornerUv& uv) {
   std::vector<Complex> from, to;
+  Similarity similarity{1, 0, 0};
+  const auto count = static_cast<double>(pins.size());
   for (const Pin& pin : pins) {
     const StatusOr<Complex> place = PlaceOf(surface, uv, pin.vertex);
     if (!place.ok()) return place.status();
     from.push_back(*place);
     to.emplace_back(pin.at.x(), pin.at.y());
+    if (pins.size() > kOfSimilarity) similarity.from += from.back() / count;
+    if (pins.size() > kOfSimilarity) similarity.to += to.back() / count;
   }
-  Similarity similarity{1, from[0], to[0]};
+  if (pins.size() <= kOfSimilarity) similarity.from = from[0], similarity.to = to[0];
   if (pins.size() == 1) return similarity;
-  if (from[0] == from[1]) {
-    return Status::InvalidInput("pins: the map has both vertices at one place; pin other ones");
+  Complex product = 0;
+  double spread = 0, wanted = 0;
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    product += std::conj(from[k] - similarity.from) * (to[k] - similarity.to);
+    spread += std::norm(from[k] - similarity.from);
+    wanted += std::norm(to[k] - similarity.to);
   }
-  similarity.factor = (to[1] - to[0]) / (from[1] - from[0]);
+  if (!(spread > 0)) {
+    return Status::InvalidInput(
+        "pins: the map has all these vertices at one place; pin other ones");
+  }
+  const double size = std::sqrt(wanted / spread);
+  similarity.factor = product / spread;
+  if (std::abs(similarity.factor) < kCollapses * size) similarity.factor = size;
   return similarity;
+}
+
+Status CheckFlips(const Surface& surface, SurfaceMap* map) {
+  const std::vector<Index> flipped = FlippedFaces(surface.triangulation, map->uv);
+  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped.size());
+  if (flipped.empty()) return Status();
+  return Status(StatusCode::kUnrepresentable,
+                fmt::format("pins: doubles cannot hold faces {} (0-based) of the map there",
+                            IdList(flipped, 5)));
+}
+
+/// What the map is bent by.
+StatusOr<StretchEnergy> EnergyOf(const std::string& refine_map, RefineStretchOptions* options) {
+  if (!LeavesConformal(refine_map)) {
+    options->weight = 0;
+    return StretchEnergies().Find("area");
+  }
+  const StatusOr<NameWithOptions> named = ParseNameWithOptions(refine_map);
+  if (!named.ok()) return named.status();
+  StatusOr<StretchEnergy> energy = StretchEnergies().Find(named->name);
+  const Status status = RefineStretchOptionTable(energy->blends).Set(named->options, options);
+  if (!status.ok()) return status;
+  return energy;
+}
+
+/// The pin farthest from its place, and how far.
+std::pair<Pin, double> FarthestPin(const Surface& surface, const std::vector<Pin>& pins,
+                                   const CornerUv& uv) {
+  std::pair<Pin, double> farthest{pins[0], -1};
+  for (const Pin& pin : pins) {
+    const StatusOr<Complex> place = PlaceOf(surface, uv, pin.vertex);
+    const double miss = std::abs(*place - Complex(pin.at.x(), pin.at.y()));
+    if (miss > farthest.second) farthest = {pin, miss};
+  }
+  return farthest;
+}
+
+/// Three pins or more, of a map without flips near them.
+Status BendToPins(const Surface& surface, const MapRequest& request, const std::vector<Pin>& pins,
+                  const SolveControl& control, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  RefineStretchOptions options;
+  const StatusOr<StretchEnergy> energy = EnergyOf(request.options.refine_map, &options);
+  if (!energy.ok()) return energy.status();
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
+  std::vector<Seam> seams;
+  if (!map->cut.IsEmpty()) {
+    if (map->flat.on_input.angles.value.size() == 0) {
+      return Status::InvalidInput(
+          "pins: three or more bend a map with seams, which needs the flat metric that this one "
+          "was "
+          "made without; leave out solve_at, or pin two vertices");
+    }
+    seams = MeasureSeams(t, map->cut, ConeVertices(intrinsic.boundary, map->targets),
+                         map->flat.on_input.angles, map->uv)
+                .seams;
+  }
+  std::vector<Landmark> landmarks;
+  for (const Pin& pin : pins) landmarks.push_back({pin.vertex, pin.at});
+  control.BeginStage("pins");
+  const StatusOr<LandmarkFit> fit =
+      MeetLandmarks({intrinsic, map->cut, seams}, *energy, options, landmarks,
+                    request.shape.pin_weight, control.cancelled, &map->uv);
+  if (!fit.ok()) return fit.status();
+  map->certificate.pins = PinSummary{static_cast<int>(pins.size()),
+                                     fit->steps,
+                                     fit->miss_before,
+                                     fit->miss_after,
+                                     fit->energy_before,
+                                     fit->energy_after};
+  if (fit->exact) map->certificate.pins->miss_after = 0;
+  if (fit->exact || request.shape.pin_weight > 0) return Status();
+  const auto [pin, miss] = FarthestPin(surface, pins, map->uv);
+  return Status(
+      StatusCode::kNotConverged,
+      fmt::format(
+          "pins: the map could not be bent to all {} pins without flipping triangles; vertex "
+          "{} stays {:.3g} away from its place. Pins that no map without flips can meet do "
+          "this; move or leave out pins, or draw to them by pin_weight",
+          pins.size(), surface.soup_vertex[pin.vertex] + 1, miss));
 }
 
 }  // namespace
@@ -128,7 +227,8 @@ StatusOr<std::vector<Pin>> ReadPins(const std::string& path, const Surface& surf
   return ParsePins(path, *content, surface);
 }
 
-Status MoveToPins(const Surface& surface, const std::vector<Pin>& pins, SurfaceMap* map) {
+Status MoveToPins(const Surface& surface, const MapRequest& request, const std::vector<Pin>& pins,
+                  const SolveControl& control, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   const StatusOr<Similarity> similarity = SimilarityOf(surface, pins, map->uv);
   if (!similarity.ok()) return similarity.status();
@@ -137,18 +237,18 @@ Status MoveToPins(const Surface& surface, const std::vector<Pin>& pins, SurfaceM
         similarity->factor * (Complex(p.x(), p.y()) - similarity->from) + similarity->to;
     p = {z.real(), z.imag()};
   }
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
+  const bool bends = pins.size() > kOfSimilarity;
+  for (Index h = 0; h < t.num_halfedges() && !bends; ++h) {
     for (const Pin& pin : pins) {
       if (t.vertex[h] == pin.vertex) map->uv.value[h] = pin.at;
     }
   }
-  const std::vector<Index> flipped = FlippedFaces(t, map->uv);
-  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped.size());
-  if (!flipped.empty()) {
-    return Status(StatusCode::kUnrepresentable,
-                  fmt::format("pins: doubles cannot hold faces {} (0-based) of the map there",
-                              IdList(flipped, 5)));
+  Status status = CheckFlips(surface, map);
+  if (status.ok() && bends) {
+    status = BendToPins(surface, request, pins, control, map);
+    if (status.ok()) status = CheckFlips(surface, map);
   }
+  if (!status.ok()) return status;
   MeasureDistortion(t, MeasureEdgeLengths(surface), map->cut, map->uv, &map->certificate);
   return Status();
 }

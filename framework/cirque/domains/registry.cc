@@ -93,7 +93,7 @@ const Registry<Domain>& Domains() {
          {"targets",     "cut",         "metric",     "pattern",  "layout",       "cones",
           "cone_budget", "cone_angles", "holonomy",   "boundary", "refine_cones", "refine_map",
           "seams",       "cut_cost",    "edge_costs", "exact",    "exact_limit",  "strict",
-          "injective",   "pins",        "solve_at"},
+          "injective",   "pins",        "pin_weight", "solve_at"},
          {"uv", "flat"},
          MapToPlane}},
        {"sphere",
@@ -206,7 +206,7 @@ StatusOr<SurfaceMap> MapSurface(const Surface& surface, const MapRequest& reques
   std::vector<Pin> pins;
   if (status.ok()) status = TakePins(surface, request.shape.pins, &pins);
   if (status.ok()) status = MapAtSafeScale(*domain, surface, request, control, &map);
-  if (status.ok() && !pins.empty()) status = MoveToPins(surface, pins, &map);
+  if (status.ok() && !pins.empty()) status = MoveToPins(surface, request, pins, control, &map);
   InfeasibilityCertificate& proof = map.certificate.infeasibility;
   if (!proof.empty() && !surface.soup_polygon.empty()) NameTriangles(surface, &proof);
   status = Conclude(status, timer, &map.certificate);

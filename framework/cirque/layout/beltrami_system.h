@@ -39,6 +39,13 @@ struct SeamConstraint {
   std::complex<double> operator()(const Eigen::VectorXcd& z) const;
 };
 
+/// A moving vertex that is drawn to a place: a stretch energy gains weight |z - to|^2.
+struct Pull {
+  Index vertex;
+  std::complex<double> to;
+  double weight;
+};
+
 /// Some vertices of a map and all that their places matter to. Vertices and faces are numbered as
 /// they stand here.
 struct MapPart {
@@ -49,6 +56,7 @@ struct MapPart {
   std::vector<SeamConstraint> seams;
   std::vector<Rail> rails;   ///< of the moving vertices that slide, in their order; none with seams
   std::vector<RimEdge> rim;  ///< at those
+  std::vector<Pull> pulls = {};
 };
 
 /// The objective's sum over the faces of a part, and the Hermitian matrices of its Gauss-Newton

@@ -103,7 +103,7 @@ void OpenedMap::MeasureFaces(const IntrinsicSurface& surface, double least_area)
 void OpenedMap::Hold(const SeamedSurface& of) {
   const Triangulation& t = of.surface.triangulation;
   std::vector<bool> held = of.held;
-  has_place_ = std::find(held.begin(), held.end(), true) != held.end();
+  has_place_ = of.has_place || std::find(held.begin(), held.end(), true) != held.end();
   held.resize(t.num_vertices, false);
   const double shortest = kShortestSeamEdge * Diameter(z_);
   for (const Seam& seam : of.seams) {

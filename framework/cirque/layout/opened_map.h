@@ -21,6 +21,7 @@ struct SeamedSurface {
   const std::vector<Seam>& seams;
   std::vector<bool> held = {};   ///< for every vertex of the surface, whether it stays; empty: none
   SlidingVertices sliding = {};  ///< of those that are not held; where there are seams they stay
+  bool has_place = false;        ///< the image is not scaled, even if all of it may move
 };
 
 /// One for every edge of the seams, between vertices of `open`, the surface cut open.
@@ -62,7 +63,7 @@ class OpenedMap {
   MapPart Whole();
 
   /// The positions as UVs, scaled about the origin to the area that the image had, unless vertices
-  /// of the surface are held or slide. Scaling rounds: where that would flip a face or part the sides of a short opened edge, it is by the nearest
+  /// of the surface are held or slide, or the image has its place. Scaling rounds: where that would flip a face or part the sides of a short opened edge, it is by the nearest
   /// power of two.
   void WriteTo(CornerUv* uv) const;
 

@@ -147,7 +147,9 @@ void StretchSystem::AddRow(const Slots<kVertices>& slots, const Row<kVertices>& 
 }
 
 double StretchSystem::Value(const Eigen::VectorXcd& z) const {
-  return StretchOf(part_.faces, energy_, unit_, z);
+  double value = StretchOf(part_.faces, energy_, unit_, z);
+  for (const Pull& pull : part_.pulls) value += pull.weight * std::norm(z[pull.vertex] - pull.to);
+  return value;
 }
 
 void StretchSystem::Linearize(const Eigen::VectorXcd& z, double shift) {
@@ -160,6 +162,12 @@ void StretchSystem::Linearize(const Eigen::VectorXcd& z, double shift) {
     const SeamConstraint& seam = part_.seams[c];
     const auto beside = [&](Index face) { return face == kNone ? 0 : stiffness[face]; };
     AddPenalty(c, kSeamStiffness * std::max(beside(seam.left_face), beside(seam.right_face)));
+  }
+  for (const Pull& pull : part_.pulls) {
+    gradient_[pull.vertex] += 2 * pull.weight * (z[pull.vertex] - pull.to);
+    for (const Index i : UnknownsOf(pull.vertex)) {
+      if (i != kNone) DiagonalEntry(&lower_, i) += 2 * pull.weight;
+    }
   }
   for (Index i = 0; i < size_; ++i) {
     double& diagonal = DiagonalEntry(&lower_, i);

@@ -52,6 +52,7 @@ struct Certificate {
   std::optional<PolygonSummary> polygon;
   std::optional<PeriodicSummary> periodic;
   std::optional<RoundHolesSummary> round_holes;
+  std::optional<PinSummary> pins;
   std::optional<AtlasSummary> atlas;
   std::optional<ProcessSummary> process;
   StageSeconds seconds;

@@ -17,6 +17,7 @@ constexpr char kHalfPlane[] = "half-plane";
 constexpr char kPolygon[] = "polygon";
 constexpr char kPeriodic[] = "annulus, strip and torus";
 constexpr char kRoundHoles[] = "round holes";
+constexpr char kPins[] = "pins";
 constexpr char kAtlas[] = "several components";
 constexpr char kProcess[] = "process";
 
@@ -74,6 +75,9 @@ constexpr CertificateRow kRows[] = {
     {"map_refinement_at_rest", kRefinedMap, "",
      "1 where the whole map was refined until a step brought too little",
      ReadMember<&C::map_refinement, &MapRefinementSummary::map_refinement_at_rest>},
+    {"map_refinement_convex_start", kRefinedMap, "",
+     "1 where it began at a convex embedding, since doubles do not hold the conformal map",
+     ReadMember<&C::map_refinement, &MapRefinementSummary::map_refinement_convex_start>},
     {"quasi_conformal_mean", kDistortion, "", "quasi conformal mean",
      ReadMember<&C::distortion, &DistortionSummary::quasi_conformal_mean>},
     {"quasi_conformal_max", kDistortion, "", "quasi conformal max",
@@ -205,6 +209,17 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::round_holes, &RoundHolesSummary::smallest_radius>},
     {"largest_hole_radius", kRoundHoles, "", "the largest",
      ReadMember<&C::round_holes, &RoundHolesSummary::largest_radius>},
+    {"pins", kPins, "", "pins that the map was bent to, three or more",
+     ReadMember<&C::pins, &PinSummary::pins>},
+    {"pin_steps", kPins, "", "steps of the descent", ReadMember<&C::pins, &PinSummary::steps>},
+    {"pin_miss_before", kPins, "",
+     "largest distance of one from its place after a similarity, over the root of the image's area",
+     ReadMember<&C::pins, &PinSummary::miss_before>},
+    {"pin_miss_after", kPins, "", "the same of the map; 0: all are met exactly",
+     ReadMember<&C::pins, &PinSummary::miss_after>},
+    {"pin_energy_before", kPins, "", "the energy that the map is bent by, before",
+     ReadMember<&C::pins, &PinSummary::energy_before>},
+    {"pin_energy_after", kPins, "", "after", ReadMember<&C::pins, &PinSummary::energy_after>},
     {"components", kAtlas, "", "parts of the mesh, each mapped by itself",
      ReadMember<&C::atlas, &AtlasSummary::components>},
     {"components_failed", kAtlas, "", "those of them that have no map",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,10 @@
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/seams.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/convex_start.h"
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/finish_layout.h"
+#include "cirque/pipeline/prescribe_boundary.h"
 
 namespace cirque {
 namespace {
@@ -37,6 +40,16 @@ Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped)
           "the flat metric exists but doubles cannot hold it in one chart: log radii range "
           "over {:.1f} and {} would collapse, faces {} (0-based) among them; add cones there",
           range, Count(flipped.size(), "face"), IdList(flipped, 5)));
+}
+
+/// Whether a map may begin elsewhere than at the conformal one: it is to leave it, and nothing of the
+/// flat metric is asked for.
+bool MayBeginConvexly(const Job& job, const ConeTargets& targets, const Cut& cut) {
+  const Triangulation& t = job.surface.triangulation;
+  const bool is_disk = cut.IsEmpty() && EulerCharacteristic(t) == 1 && BoundaryLoops(t).size() == 1;
+  return is_disk && LeavesConformal(job.options.refine_map) && !job.options.exact &&
+         ConeVertices(job.surface.boundary, targets).empty() &&
+         HasFreeBoundary(job.surface, targets);
 }
 
 }  // namespace
@@ -66,15 +79,21 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   PlanarLayout& layout = *laid_out;
   LayoutSummary& summary = Fill(&certificate.layout);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
+  std::optional<CornerUv> convex;
+  if (!flipped.empty() && MayBeginConvexly(job, result->targets, *cut)) {
+    convex = EmbedInDisk(job.surface);
+    if (convex) layout.uv = *convex, layout.closure = 0, flipped.clear();
+  }
   // The exact map is the result then; that of its own triangles has none beside it.
   const bool may_be_flipped = result->flat.exact.has_value();
   if (flipped.empty() || may_be_flipped) {
     const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
-    if (flipped.empty() && flat.flipped.empty()) {
+    if (flipped.empty() && (convex || flat.flipped.empty())) {
       job.control.BeginStage("refinement");
       Status refined = RefineLayout(of, result->targets, job.options.refine_map, &layout,
                                     &certificate.map_refinement);
       if (!refined.ok()) return refined;
+      if (convex) Fill(&certificate.map_refinement).map_refinement_convex_start = 1;
     }
     summary.rotation_order = ArrangePatches(of, result->targets, &layout);
     flipped = FlippedFaces(t, layout.uv);

@@ -32,8 +32,9 @@ StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
 /// leaves no disks or cones inside, further; lays it out and refines it, several patches side by
 /// side in the unit square. Fills in cut, uv and the certificate's layout, seams and
 /// map_refinement. Beside an exact map (result's flat.exact) triangles of the flat surface or of its
-/// layout may be flipped, which is not refined then. Errors: kUnrepresentable for a layout with a
-/// flipped triangle elsewhere; cancelled.
+/// layout may be flipped, which is not refined then. A disk whose conformal map
+/// doubles do not hold is refined from EmbedInDisk where its refinement leaves conformality. Errors:
+/// kUnrepresentable for a layout with a flipped triangle elsewhere; cancelled.
 Status CutAndPlace(const ParameterizeJob& job, Parameterization* result);
 
 /// What the certificate says of result's cut and seams, once more after the cut or the image changed.

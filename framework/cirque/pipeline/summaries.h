@@ -169,7 +169,8 @@ struct MapRefinementSummary {
   std::optional<int> map_refinement_patch_steps;
   int map_refinement_steps = 0;  ///< on the whole map
   double map_refinement_before = kUnset, map_refinement_after = kUnset;
-  std::optional<int> map_refinement_at_rest;  ///< of RefineMap
+  std::optional<int> map_refinement_at_rest;       ///< of RefineMap
+  std::optional<int> map_refinement_convex_start;  ///< 1: it began at EmbedInDisk
 };
 
 /// An exact map (MakeExactMap). The distortion is that of the triangles it was solved on, of
@@ -240,6 +241,14 @@ struct RoundHolesSummary {
   int chords = 0;  ///< edges between two vertices of the outer boundary, split for the solve
   double roundness = kUnset, circle_error = kUnset;
   double smallest_radius = kUnset, largest_radius = kUnset;
+};
+
+/// A map that is bent to three pins or more (MeetLandmarks). Misses over the square root of the image's
+/// area.
+struct PinSummary {
+  int pins = 0, steps = 0;
+  double miss_before = kUnset, miss_after = kUnset;
+  double energy_before = kUnset, energy_after = kUnset;
 };
 
 /// The part of a mesh file that a certificate is about, where there are several.
