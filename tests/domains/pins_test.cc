@@ -1,7 +1,10 @@
 #include "cirque/domains/pins.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +74,6 @@ TEST_F(Pins, FilesThatMakeNoSenseAreRefusedBeforeAnythingIsSolved) {
                                       {"100000 0 0\n", "is no vertex"},
                                       {"1 0 0\n1 2 0\n", ":2: the vertex has a pin already"},
                                       {"1 0 0\n2 0 0\n", "pinned there"},
-                                      {"1 0 0\n2 1 0\n3 0 1\n", ":3: a third pin"},
                                       {"# none\n", "no pin"}}) {
     const Certificate failed = MustFail(cap_, Pinned(text), StatusCode::kInvalidInput);
     EXPECT_THAT(failed.message, HasSubstr(message)) << text;
@@ -90,6 +92,96 @@ TEST_F(Pins, AVertexOnTheCutHasSeveralPlaces) {
   const std::string line = std::to_string(ring.soup_vertex[on_cut] + 1) + " 0 0\n";
   EXPECT_THAT(MustFail(ring, Pinned(line), StatusCode::kInvalidInput).message,
               HasSubstr("lies on the cut"));
+}
+
+/// Pins of these vertices where `move` leads from the places that a map has them at.
+template <class Move>
+std::string Lines(const Surface& surface, const SurfaceMap& map, const std::vector<Index>& vertices,
+                  const Move& move) {
+  std::string lines;
+  for (const Index v : vertices) {
+    const Eigen::Vector2d to = move(PlaceOf(surface, map, v));
+    lines += fmt::format("{} {:.17g} {:.17g}\n", surface.soup_vertex[v] + 1, to.x(), to.y());
+  }
+  return lines;
+}
+
+Eigen::Vector2d Bent(const Eigen::Vector2d& p) {
+  return {1 + p.x() + 0.2 * p.y() * p.y(), 2 + 0.8 * p.y()};
+}
+
+TEST_F(Pins, ManyAreMetExactlyWithoutFlips) {
+  const std::vector<Index> vertices = {2, 17, 33, 50, 71, 90};
+  const SurfaceMap plain = MustMap(cap_, RequestFor("plane"));
+  const std::string lines = Lines(cap_, plain, vertices, Bent);
+  for (const char* refine_map : {"auto", "symmetric_dirichlet"}) {
+    MapRequest request = Pinned(lines);
+    request.options.refine_map = refine_map;
+    const SurfaceMap map = MustMap(cap_, request);
+    for (const Index v : vertices) {
+      EXPECT_LT((PlaceOf(cap_, map, v) - Bent(PlaceOf(cap_, plain, v))).norm(), 1e-15) << v;
+    }
+    EXPECT_TRUE(FlippedFaces(cap_.triangulation, map.uv).empty());
+    EXPECT_EQ(map.certificate.pins->pins, 6);
+    EXPECT_EQ(map.certificate.pins->miss_after, 0);
+    EXPECT_GT(map.certificate.pins->miss_before, 0.01);
+    EXPECT_LT(map.certificate.distortion->quasi_conformal_mean, 1.5);
+  }
+}
+
+TEST_F(Pins, WhereAMapHasThemAlreadyItStays) {
+  const SurfaceMap plain = MustMap(cap_, RequestFor("plane"));
+  const SurfaceMap map = MustMap(cap_, Pinned(Lines(cap_, plain, {2, 17, 33, 50},
+                                                    [](const Eigen::Vector2d& p) { return p; })));
+  EXPECT_LE(map.certificate.pins->energy_after, map.certificate.pins->energy_before + 1e-12);
+  EXPECT_LT(map.certificate.pins->miss_before, 1e-12);
+}
+
+TEST_F(Pins, SoftOnesComeTheNearerTheMoreTheyWeigh) {
+  const SurfaceMap plain = MustMap(cap_, RequestFor("plane"));
+  MapRequest request = Pinned(Lines(cap_, plain, {2, 17, 33, 50, 71, 90}, Bent));
+  double miss = 1, energy = 0;
+  for (const double weight : {0.1, 10.0, 1e3, 1e5}) {
+    request.shape.pin_weight = weight;
+    const SurfaceMap map = MustMap(cap_, request);
+    EXPECT_LT(map.certificate.pins->miss_after, miss) << weight;
+    EXPECT_GT(map.certificate.pins->energy_after, energy) << weight;
+    EXPECT_TRUE(FlippedFaces(cap_.triangulation, map.uv).empty());
+    miss = map.certificate.pins->miss_after;
+    energy = map.certificate.pins->energy_after;
+  }
+  EXPECT_LT(miss, 1e-3);
+}
+
+// No map without flips has a face's corners the other way round.
+TEST_F(Pins, ThatNoMapCanMeetAreNamed) {
+  const SurfaceMap plain = MustMap(cap_, RequestFor("plane"));
+  const std::vector<Index>& corner = cap_.triangulation.vertex;
+  const std::string mirrored =
+      Lines(cap_, plain, {corner[0], corner[1], corner[2]},
+            [](const Eigen::Vector2d& p) { return Eigen::Vector2d(-p.x(), p.y()); });
+  const Certificate failed = MustFail(cap_, Pinned(mirrored), StatusCode::kNotConverged);
+  EXPECT_THAT(failed.message, HasSubstr("without flipping triangles; vertex"));
+  MapRequest soft = Pinned(mirrored);
+  soft.shape.pin_weight = 1;
+  EXPECT_TRUE(FlippedFaces(cap_.triangulation, MustMap(cap_, soft).uv).empty());
+}
+
+// Both sides of a seam stay congruent.
+TEST_F(Pins, BendAMapWithSeams) {
+  const Surface ring = GeneratedSurface("annulus", 400);
+  const SurfaceMap plain = MustMap(ring, RequestFor("plane"));
+  std::vector<bool> on_cut(ring.triangulation.num_vertices, false);
+  for (Index h = 0; h < ring.triangulation.num_halfedges(); ++h) {
+    if (plain.cut.edge[ring.triangulation.edge[h]]) on_cut[ring.triangulation.Tail(h)] = true;
+  }
+  std::vector<Index> vertices;
+  for (Index v = 3; vertices.size() < 4; v += 40) {
+    if (!on_cut[v]) vertices.push_back(v);
+  }
+  const SurfaceMap map = MustMap(ring, Pinned(Lines(ring, plain, vertices, Bent)));
+  EXPECT_EQ(map.certificate.pins->miss_after, 0);
+  EXPECT_TRUE(FlippedFaces(ring.triangulation, map.uv).empty());
 }
 
 TEST_F(Pins, OtherDomainsTakeNone) {

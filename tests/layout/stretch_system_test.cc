@@ -100,7 +100,9 @@ std::vector<StretchEnergy> AllEnergies() {
 
 TEST(EveryStretchEnergy, GradientIsThatOfTheValue) {
   OpenedMap map = FromAbove(GeneratedSurface("bumpy_terrain", 200));
-  for (const MapPart& part : {map.Whole(), SomeOf(&map)}) {
+  MapPart drawn = SomeOf(&map);
+  drawn.pulls = {{0, Complex(3, 1), 2.0}, {5, Complex(-1, 0), 0.5}};
+  for (const MapPart& part : {map.Whole(), SomeOf(&map), drawn}) {
     const Eigen::VectorXcd z = Of(part, map.z());
     Eigen::VectorXcd direction = Eigen::VectorXcd::Random(z.size());
     direction.tail(z.size() - part.unknowns).setZero();

@@ -1,88 +1,112 @@
 #include "cirque/cuts/dual_flow.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cirque {
 
-DualFlow::DualFlow(Index num_nodes) : at_(num_nodes + 2) {}
-
-void DualFlow::AddArcs(Index a, Index b, std::int64_t there, std::int64_t back) {
-  at_[a].push_back(static_cast<Index>(arcs_.size()));
-  arcs_.push_back({b, there});
-  at_[b].push_back(static_cast<Index>(arcs_.size()));
-  arcs_.push_back({a, back});
-}
+DualFlow::DualFlow(Index num_nodes) : node_(num_nodes) { std::iota(node_.begin(), node_.end(), 0); }
 
 void DualFlow::Join(Index a, Index b, std::int64_t capacity) {
-  infinity_ += capacity;
-  AddArcs(a, b, capacity, capacity);
+  joints_.push_back({a, b, capacity});
 }
 
-void DualFlow::SetSource(Index node) { sources_.push_back(node); }
+void DualFlow::SetSource(Index node) { node_[node] = static_cast<Index>(node_.size()); }
 
-void DualFlow::SetSink(Index node) { sinks_.push_back(node); }
+void DualFlow::SetSink(Index node) { node_[node] = static_cast<Index>(node_.size()) + 1; }
 
-/// Numbers the nodes by their distance from the source over arcs that can carry more; whether the
-/// sink is reached.
-bool DualFlow::Level() {
-  const auto source = static_cast<Index>(at_.size()) - 2, sink = source + 1;
-  level_.assign(at_.size(), kNone);
-  level_[source] = 0;
-  std::vector<Index> queue = {source};
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    for (const Index a : at_[queue[i]]) {
-      if (arcs_[a].rest <= 0 || level_[arcs_[a].to] != kNone) continue;
-      level_[arcs_[a].to] = level_[queue[i]] + 1;
-      queue.push_back(arcs_[a].to);
+void DualFlow::LayOutArcs() {
+  const std::size_t nodes = node_.size() + 2;
+  std::erase_if(joints_, [&](const Joint& j) { return node_[j.a] == node_[j.b]; });
+  first_.assign(nodes + 1, 0);
+  for (const Joint& j : joints_) ++first_[node_[j.a] + 1], ++first_[node_[j.b] + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<Index> at(first_.begin(), first_.end() - 1);
+  arcs_.resize(2 * joints_.size());
+  for (const Joint& j : joints_) {
+    const Index a = node_[j.a], b = node_[j.b], there = at[a]++, back = at[b]++;
+    arcs_[there] = {b, back, j.capacity};
+    arcs_[back] = {a, there, j.capacity};
+  }
+}
+
+/// Numbers the nodes by their distance to the sink over arcs that can carry more, as far as the source
+/// is; whether that reaches it.
+bool DualFlow::MeasureDistances() {
+  const auto source = static_cast<Index>(node_.size()), sink = source + 1;
+  distance_.assign(node_.size() + 2, kNone);
+  distance_[sink] = 0;
+  std::vector<Index> queue = {sink};
+  for (std::size_t i = 0; i < queue.size() && distance_[source] == kNone; ++i) {
+    const Index node = queue[i];
+    for (Index a = first_[node]; a < first_[node + 1]; ++a) {
+      const Arc& arc = arcs_[a];
+      if (distance_[arc.to] != kNone || arcs_[arc.back].rest <= 0) continue;
+      distance_[arc.to] = distance_[node] + 1;
+      queue.push_back(arc.to);
     }
   }
-  return level_[sink] != kNone;
+  return distance_[source] != kNone;
 }
 
-/// Sends what one path by rising levels can carry; whether there was one.
-bool DualFlow::Augment() {
-  const auto source = static_cast<Index>(at_.size()) - 2, sink = source + 1;
+/// Paths towards the sink until every one is blocked; each goes on from where the one before was.
+void DualFlow::SendBlockingFlow() {
+  const auto source = static_cast<Index>(node_.size()), sink = source + 1;
+  next_.assign(first_.begin(), first_.end() - 1);
   std::vector<Index> path;
   Index node = source;
-  while (node != sink) {
-    Index& k = next_[node];
-    const auto count = static_cast<Index>(at_[node].size());
-    while (k < count) {
-      const Arc& arc = arcs_[at_[node][k]];
-      if (arc.rest > 0 && level_[arc.to] == level_[node] + 1) break;
-      ++k;
+  while (true) {
+    if (node == sink) {
+      std::int64_t least = arcs_[path[0]].rest;
+      for (const Index a : path) least = std::min(least, arcs_[a].rest);
+      for (const Index a : path) {
+        arcs_[a].rest -= least;
+        arcs_[arcs_[a].back].rest += least;
+      }
+      const auto full =
+          std::find_if(path.begin(), path.end(), [&](Index a) { return arcs_[a].rest == 0; });
+      node = arcs_[arcs_[*full].back].to;
+      path.erase(full, path.end());
     }
-    if (k < count) {
-      path.push_back(at_[node][k]);
-      node = arcs_[path.back()].to;
+    Index& a = next_[node];
+    const auto leads_on = [&](const Arc& arc) {
+      return arc.rest > 0 && distance_[arc.to] == distance_[node] - 1;
+    };
+    while (a < first_[node + 1] && !leads_on(arcs_[a])) ++a;
+    if (a < first_[node + 1]) {
+      path.push_back(a);
+      node = arcs_[a].to;
       continue;
     }
-    if (node == source) return false;
-    node = arcs_[path.back() ^ 1].to;
+    if (node == source) return;
+    node = arcs_[arcs_[path.back()].back].to;
     path.pop_back();
     ++next_[node];
   }
-  std::int64_t least = infinity_;
-  for (const Index a : path) least = std::min(least, arcs_[a].rest);
-  for (const Index a : path) {
-    arcs_[a].rest -= least;
-    arcs_[a ^ 1].rest += least;
+}
+
+std::vector<bool> DualFlow::ReachedFromSource() const {
+  const auto source = static_cast<Index>(node_.size());
+  std::vector<bool> reached(node_.size() + 2, false);
+  reached[source] = true;
+  std::vector<Index> queue = {source};
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    for (Index a = first_[queue[i]]; a < first_[queue[i] + 1]; ++a) {
+      if (arcs_[a].rest <= 0 || reached[arcs_[a].to]) continue;
+      reached[arcs_[a].to] = true;
+      queue.push_back(arcs_[a].to);
+    }
   }
-  return true;
+  return reached;
 }
 
 std::vector<bool> DualFlow::MinimumCut() {
-  const auto source = static_cast<Index>(at_.size()) - 2, sink = source + 1;
-  for (const Index node : sources_) AddArcs(source, node, infinity_, 0);
-  for (const Index node : sinks_) AddArcs(node, sink, infinity_, 0);
-  while (Level()) {
-    next_.assign(at_.size(), 0);
-    while (Augment()) {
-    }
-  }
-  std::vector<bool> reached(at_.size() - 2);
-  for (std::size_t node = 0; node < reached.size(); ++node) reached[node] = level_[node] != kNone;
-  return reached;
+  LayOutArcs();
+  while (MeasureDistances()) SendBlockingFlow();
+  const std::vector<bool> reached = ReachedFromSource();
+  std::vector<bool> side;
+  for (const Index node : node_) side.push_back(reached[node]);
+  return side;
 }
 
 }  // namespace cirque

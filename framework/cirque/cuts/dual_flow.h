@@ -24,20 +24,25 @@ class DualFlow {
   std::vector<bool> MinimumCut();
 
  private:
+  struct Joint {
+    Index a, b;
+    std::int64_t capacity;
+  };
   struct Arc {
-    Index to;
+    Index to, back;     ///< a node, and the arc the other way
     std::int64_t rest;  ///< what it can carry yet
   };
 
-  void AddArcs(Index a, Index b, std::int64_t there, std::int64_t back);
-  bool Level();
-  bool Augment();
+  void LayOutArcs();
+  bool MeasureDistances();
+  void SendBlockingFlow();
+  std::vector<bool> ReachedFromSource() const;
 
-  std::int64_t infinity_ = 1;           ///< more than all joints carry
-  std::vector<Arc> arcs_;               ///< arc 2 i and its way back 2 i + 1
-  std::vector<std::vector<Index>> at_;  ///< per node its arcs; at last those of source and sink
-  std::vector<Index> level_, next_;
-  std::vector<Index> sources_, sinks_;
+  std::vector<Joint> joints_;
+  std::vector<Index> node_;   ///< sources are one node, the last but one, and sinks the last
+  std::vector<Index> first_;  ///< per node its first arc; one more
+  std::vector<Arc> arcs_;     ///< node by node
+  std::vector<Index> distance_, next_;
 };
 
 }  // namespace cirque

@@ -18,7 +18,8 @@ namespace cirque {
 /// area of the surface, on the hemisphere of which the disk is the stereographic image.
 ///
 /// Faces beyond an edge that joins two boundary vertices (ears, for instance) cannot be solved with
-/// the rest, whose straight boundary leaves them no area: their boundary goes onto the arc, inner
+/// the rest, whose straight boundary leaves them no area: such edges are split for the solve, and the
+/// new vertices dropped. Where that leads to no map, those faces' boundary goes onto the arc, inner
 /// vertices to means of their neighbours. Input triangles that come out flipped get their edges
 /// locked, then the input's connectivity is tried. Where even so the disk's coordinates do not tell
 /// vertices apart (a corridor of length l and width w has an image of about e^{-pi l / w}), the

@@ -10,6 +10,7 @@
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/disk_placement.h"
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/mesh/split_chords.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/pipeline/finish_layout.h"
@@ -208,15 +209,12 @@ Status RefineInHalfPlane(const MapRequest& request, const SolveControl& control,
   return status;
 }
 
-}  // namespace
-
-Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
+/// MapToDisk; faces beyond chords are placed without being solved for.
+Status SolveDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
                  SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
-  if (Status s = CheckIsDisk(t); !s.ok()) return s;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
-  if (Status s = CheckDiskOptions(intrinsic.boundary, request.shape); !s.ok()) return s;
   DiskPlacement disk(surface, intrinsic, request.shape, control);
   HalfPlaneChart chart;
   bool clean = false;
@@ -237,6 +235,73 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
   MeasureCore(surface, lengths, map->uv, chart.disk.core, &summary);
   map->certificate.disk = summary;
   return Status();
+}
+
+/// Where the vertices of the first numbers are.
+CornerUv PlacesOfOld(const Triangulation& t, const Triangulation& split, const CornerUv& uv) {
+  std::vector<Eigen::Vector2d> place(split.num_vertices);
+  for (Index h = 0; h < split.num_halfedges(); ++h) place[split.vertex[h]] = uv.value[h];
+  CornerUv old;
+  for (const Index v : t.vertex) old.value.push_back(place[v]);
+  return old;
+}
+
+/// What is at 0 and at (1, 0) stays there.
+KeptVertices KeptAtMarks(const IntrinsicSurface& surface, const DomainOptions& shape,
+                         const CornerUv& uv) {
+  KeptVertices kept{surface.boundary};
+  if (PutsMassAtCentre(shape)) return kept;
+  kept.held.assign(surface.boundary.size(), false);
+  kept.sliding.slides = surface.boundary;
+  for (std::size_t h = 0; h < uv.value.size(); ++h) {
+    const bool mark = uv.value[h] == Eigen::Vector2d(0, 0) || uv.value[h] == Eigen::Vector2d(1, 0);
+    if (mark) kept.held[surface.triangulation.vertex[h]] = true;
+  }
+  return kept;
+}
+
+/// Solves for the surface with its chords split, so that what is beyond them is solved for too, and
+/// takes the vertices that there were. The status is no proof about the surface.
+Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& chords,
+                            const MapRequest& request, const SolveControl& control,
+                            SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  const Surface split = SplitEdges(surface, chords);
+  Status status = SolveDisk(split, request, control, map);
+  if (!status.ok()) return status;
+  if (map->certificate.disk->boundary_spread > 0) return Unrepresentable("points of the unit disk");
+  CornerUv uv = PlacesOfOld(t, split.triangulation, map->uv);
+  if (!FlippedFaces(t, uv).empty()) return Unrepresentable("points of the unit disk");
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
+  if (request.shape.normalization != "area") {
+    status = RefineHeldMap(intrinsic, KeptAtMarks(intrinsic, request.shape, uv),
+                           request.options.refine_map, control.cancelled, &uv,
+                           &map->certificate.map_refinement);
+    if (!status.ok()) return status;
+  }
+  DiskSummary& summary = *map->certificate.disk;
+  summary.split_chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));
+  Deliver(t, lengths, std::move(uv), map);
+  MeasureCore(surface, lengths, map->uv, LargestChordlessPiece(t, intrinsic.boundary), &summary);
+  return Status();
+}
+
+}  // namespace
+
+Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                 SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  if (Status s = CheckIsDisk(t); !s.ok()) return s;
+  if (Status s = CheckDiskOptions(BoundaryVertices(t), request.shape); !s.ok()) return s;
+  const std::vector<bool> chords = ChordsOf(t, BoundaryLoops(t).front());
+  if (std::find(chords.begin(), chords.end(), true) != chords.end()) {
+    SurfaceMap of_split;
+    Status status = SolveWithChordsSplit(surface, chords, request, control, &of_split);
+    if (status.ok()) *map = std::move(of_split);
+    if (status.ok() || status.code() == StatusCode::kCancelled) return status;
+  }
+  return SolveDisk(surface, request, control, map);
 }
 
 Status MapToHalfPlane(const Surface& surface, const MapRequest& request,

@@ -58,6 +58,7 @@ bool PutsMassAtCentre(const DomainOptions& options) {
 DiskPlacement::DiskPlacement(const Surface& surface, const IntrinsicSurface& intrinsic,
                              const DomainOptions& domain, const SolveControl& control)
     : t_(surface.triangulation),
+      numbers_(surface.soup_vertex),
       domain_(domain),
       control_(control),
       on_boundary_(intrinsic.boundary),
@@ -122,7 +123,7 @@ Index DiskPlacement::NearestToCentre(Complex c) const {
   Index nearest = kNone;
   double least = std::numeric_limits<double>::infinity();
   for (const Index v : chart_.disk.rest.vertex) {
-    if (on_boundary_[v] || !(chart_.position[v].imag() > 0)) continue;
+    if (on_boundary_[v] || numbers_[v] == kNone || !(chart_.position[v].imag() > 0)) continue;
     const double distance = std::abs(to_disk(chart_.position[v]).value);
     if (distance < least) nearest = v;
     least = std::min(least, distance);

@@ -53,6 +53,7 @@ class DiskPlacement {
   std::vector<Index> AllFaces() const;
 
   const Triangulation& t_;
+  const std::vector<Index>& numbers_;  ///< in the file; kNone: no vertex of it
   const DomainOptions& domain_;
   const SolveControl& control_;
   const std::vector<bool>& on_boundary_;

@@ -156,6 +156,8 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::disk, &DiskSummary::area_centre_of_mass>},
     {"centre_error", kDisk, "", "distance of the centre vertex from 0",
      ReadMember<&C::disk, &DiskSummary::centre_error>},
+    {"split_chords", kDisk, "", "edges between two boundary vertices that were split for the solve",
+     ReadMember<&C::disk, &DiskSummary::split_chords>},
     {"core_quasi_conformal_mean", kDisk, "",
      "mean quasi-conformal distortion of the faces that no chord cuts off",
      ReadMember<&C::disk, &DiskSummary::core_quasi_conformal_mean>},

@@ -206,6 +206,7 @@ struct SphereSummary {
 struct DiskSummary {
   Index pole_vertex = kNone, centre_vertex = kNone, angle_zero_vertex = kNone;
   int overhanging_faces = 0;
+  std::optional<int> split_chords;  ///< for the solve
   double boundary_spread = 0, boundary_straightness = kUnset, boundary_circle_error = kUnset;
   double boundary_centre_of_mass = kUnset, area_centre_of_mass = kUnset;
   std::optional<double> centre_error;
