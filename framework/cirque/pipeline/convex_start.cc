@@ -31,8 +31,9 @@ std::vector<Eigen::Vector2d> BoundaryOnCircle(const IntrinsicSurface& disk) {
 
 std::optional<CornerUv> EmbedInDisk(const IntrinsicSurface& disk) {
   const Triangulation& t = disk.triangulation;
-  for (const Eigen::VectorXd& weights : {PositiveCotangents(t, disk.angles),
-                                         Eigen::VectorXd(Eigen::VectorXd::Ones(t.num_edges()))}) {
+  // Equal weights first: they spread vertices by their neighbours, however long the limb between is.
+  const Eigen::VectorXd equal = Eigen::VectorXd::Ones(t.num_edges());
+  for (const Eigen::VectorXd& weights : {equal, PositiveCotangents(t, disk.angles)}) {
     std::vector<Eigen::Vector2d> position = BoundaryOnCircle(disk);
     if (!EmbedConvexly(t, weights, disk.boundary, &position).ok()) continue;
     CornerUv uv;
