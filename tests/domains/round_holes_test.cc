@@ -1,8 +1,7 @@
 // Disks with round holes, by what is the same of all of them: one conformal map to the other.
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -89,12 +88,20 @@ TEST(MapToRoundHoles, MakesFiveHolesRound) {
   EXPECT_EQ(outer, 1);
 }
 
+/// A conformal image of a plane surface, its circles bent.
+Surface BentByExponential(const Surface& plane) {
+  return Moved(plane, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    const Complex z = std::exp(0.5 * Complex(x.x(), x.y()));
+    return {z.real(), z.imag(), 0};
+  });
+}
+
 // The inversive distance of the two circles is cosh log(R / r) of the concentric ring.
 TEST(MapToRoundHoles, OfARingHasItsModulus) {
   const double wanted = std::log(1 / kEccentricConformalRadius);
   double before = 1;
   for (const Index triangles : {500, 2000, 8000}) {
-    const Surface ring = GeneratedSurface("eccentric_annulus", triangles);
+    const Surface ring = BentByExponential(GeneratedSurface("eccentric_annulus", triangles));
     const std::vector<Circle> circles = CirclesOf(ring, MustRound(ring));
     const double error =
         std::abs(std::acosh(InversiveDistance(circles[0], circles[1])) / wanted - 1);
@@ -104,14 +111,27 @@ TEST(MapToRoundHoles, OfARingHasItsModulus) {
   EXPECT_LT(before, 2e-3);
 }
 
+// What has round holes stays as it is.
+TEST(MapToRoundHoles, KeepsARingThatIsRound) {
+  const Surface ring = GeneratedSurface("eccentric_annulus", 1000);
+  const SurfaceMap map = MustRound(ring);
+  EXPECT_EQ(map.certificate.round_holes->rounds, 1);
+  for (Index h = 0; h < ring.triangulation.num_halfedges(); h += 3) {
+    for (const Index k : {1, 2}) {
+      EXPECT_NEAR((map.uv.value[h + k] - map.uv.value[h]).norm(),
+                  (ring.position[ring.triangulation.vertex[h + k]] -
+                   ring.position[ring.triangulation.vertex[h]])
+                      .norm(),
+                  1e-9);
+    }
+  }
+}
+
 // By Koebe's theorem round holes are unique up to Moebius maps: a map of the plate and one of the plate
 // after a conformal map of the plane see the same inversive distances.
 TEST(MapToRoundHoles, AreTheSameOfAConformalImage) {
   const Surface plate = GeneratedSurface("plate_with_holes", 4000);
-  const Surface bent = Moved(plate, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
-    const Complex z = std::exp(0.5 * Complex(x.x(), x.y()));
-    return {z.real(), z.imag(), 0};
-  });
+  const Surface bent = BentByExponential(plate);
   const std::vector<Circle> here = CirclesOf(plate, MustRound(plate));
   const std::vector<Circle> there = CirclesOf(bent, MustRound(bent));
   for (std::size_t i = 0; i < here.size(); ++i) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +29,8 @@ constexpr int kMostRounds = 60;
 constexpr int kDepth = 8;          ///< of Anderson's acceleration
 constexpr double kAtRest = 1e-10;  ///< of log lengths, of which a round changes none by more
 constexpr double kGoodEnough = 1e-7;
-constexpr int kWithoutGain = 5;  ///< rounds, at rounding
+constexpr double kLargestChange = 0.5;  ///< of a log length in a round
+constexpr int kWithoutGain = 6;         ///< rounds, at rounding
 /// Of a round's change. A wave of n periods on the outer circle comes back 1/n as high, on a hole's
 /// -1/n, of which that of one period would stay.
 constexpr double kOuterShare = 1, kHoleShare = 2.0 / 3;
@@ -122,45 +124,82 @@ class LoopShapes {
   Eigen::Index size_ = 0;
 };
 
-/// Flattens with the loops inscribed, by the lengths that come out again, until these stay. Returns
-/// how many rounds that took.
-StatusOr<int> RoundLoops(const Surface& surface, const std::vector<Loop>& loops,
-                         const MapRequest& request, const SolveControl& control, SurfaceMap* map) {
-  const LoopShapes shapes(surface.triangulation, loops);
-  const Eigen::VectorXd shares = shapes.Shares();
-  ParameterizeOptions options = request.options;
-  options.refine_map = "none";
-  AndersonMixing mixing(kDepth);
-  Eigen::VectorXd shape = shapes.ShapeOf(MeasureEdgeLengths(surface));
-  std::optional<SurfaceMap> best;
-  double least = 0;
-  int since = 0, round = 0;
-  while (round < kMostRounds && since < kWithoutGain) {
-    ++round;
-    SurfaceMap next;
-    Status status =
-        Parameterize(surface, {options, shapes.Inscribed(shape), {}, {}}, control, &next);
-    if (!status.ok()) {
-      *map = std::move(next);
-      return status;
-    }
-    const Eigen::VectorXd change = shapes.ShapeOf(next.flat.on_input.lengths) - shape;
-    const double largest = change.cwiseAbs().maxCoeff();
-    ++since;
-    if (!best || largest < least) {
-      if (!best || largest > kGoodEnough || largest < least / 2) since = 0;
-      least = largest, best = std::move(next);
-    }
-    if (least <= kAtRest) break;
-    shape = mixing.Next(shape, shares.cwiseProduct(change));
+/// Flattens with the loops inscribed, by the lengths that come out again, until these stay. Where
+/// does not converge, as where intrinsic flips join vertices of one loop or change from round to
+/// round, it begins again on the input's connectivity, then from the best shape with half the shares.
+class LoopRounding {
+ public:
+  LoopRounding(const Surface& surface, const std::vector<Loop>& loops, const MapRequest& request,
+               const SolveControl& control)
+      : surface_(surface),
+        control_(control),
+        options_(request.options),
+        shapes_(surface.triangulation, loops),
+        shares_(shapes_.Shares()),
+        shape_(shapes_.ShapeOf(MeasureEdgeLengths(surface))) {
+    options_.refine_map = "none";
   }
-  *map = *std::move(best);
-  if (least <= kGoodEnough) return round;
-  return Status(StatusCode::kNotConverged,
-                fmt::format("round_holes: after {} rounds edges of the boundary still change by "
-                            "{:.1e} of their lengths",
-                            round, least));
-}
+
+  Status Run(SurfaceMap* map) {
+    const Eigen::VectorXd start = shape_;
+    const SolvedTriangulation asked = options_.triangulation;
+    Status status = RunFromHere(map);
+    if (!status.ok()) return status;
+    if (least_ > kGoodEnough && asked == SolvedTriangulation::kDelaunay) {
+      options_.triangulation = SolvedTriangulation::kInput;
+      shape_ = start;
+      status = RunFromHere(map);
+      options_.triangulation = asked;
+    }
+    if (status.code() != StatusCode::kCancelled && least_ > kGoodEnough) {
+      shares_ /= 2, shape_ = best_shape_;
+      status = RunFromHere(map);
+    }
+    if (status.code() == StatusCode::kCancelled) return status;
+    *map = *std::move(best_);
+    if (least_ <= kGoodEnough) return Status();
+    return Status(StatusCode::kNotConverged,
+                  fmt::format("round_holes: after {} rounds edges of the boundary still change by "
+                              "{:.1e} of their lengths (a finer mesh may help)",
+                              rounds_, least_));
+  }
+
+  int rounds() const { return rounds_; }
+
+ private:
+  Status RunFromHere(SurfaceMap* map) {
+    AndersonMixing mixing(kDepth);
+    for (int since = 0, round = 0; since < kWithoutGain && round < kMostRounds; ++since, ++round) {
+      SurfaceMap next;
+      Status status =
+          Parameterize(surface_, {options_, shapes_.Inscribed(shape_), {}, {}}, control_, &next);
+      ++rounds_;
+      if (!status.ok()) {
+        *map = std::move(next);
+        return status;
+      }
+      const Eigen::VectorXd change = shapes_.ShapeOf(next.flat.on_input.lengths) - shape_;
+      const double largest = change.cwiseAbs().maxCoeff();
+      if (largest < least_) {
+        if (largest > kGoodEnough || largest < least_ / 2) since = 0;
+        least_ = largest, best_ = std::move(next), best_shape_ = shape_;
+      }
+      if (least_ <= kAtRest) break;
+      const Eigen::ArrayXd bounded = change.array().max(-kLargestChange).min(kLargestChange);
+      shape_ = mixing.Next(shape_, shares_.cwiseProduct(bounded.matrix()));
+    }
+    return Status();
+  }
+
+  const Surface& surface_;
+  const SolveControl& control_;
+  ParameterizeOptions options_;
+  const LoopShapes shapes_;
+  Eigen::VectorXd shares_, shape_, best_shape_;
+  std::optional<SurfaceMap> best_;
+  double least_ = std::numeric_limits<double>::infinity();
+  int rounds_ = 0;
+};
 
 /// The mean of the places of every vertex, which the seams part by rounding.
 std::vector<Complex> PlacesOfVertices(const Triangulation& t, const CornerUv& uv) {
@@ -260,18 +299,19 @@ Status SolveWithoutChords(const Surface& surface, const std::vector<Loop>& loops
   // Halves of boundary edges there are none: loops keep their vertices.
   const std::vector<Loop> solved = LoopsByLength(split);
   const Triangulation& t = split.triangulation;
-  const StatusOr<int> rounds = RoundLoops(split, solved, request, control, map);
-  if (rounds.status().code() == StatusCode::kInfeasible && !none) {
+  LoopRounding rounding(split, solved, request, control);
+  const Status rounded = rounding.Run(map);
+  if (rounded.code() == StatusCode::kInfeasible && !none) {
     map->flat.infeasibility = {};
     map->certificate.infeasibility = {};
     return Status(StatusCode::kNotConverged,
                   "with edges between two vertices of the outer boundary split, the mesh has no "
                   "circle pattern with round boundaries; subdivide it");
   }
-  if (!rounds.ok()) return rounds.status();
+  if (!rounded.ok()) return rounded;
   std::vector<Complex> place = PlacesOfVertices(t, map->uv);
   RoundHolesSummary summary = PutOnCircles(t, solved, &place);
-  summary.rounds = *rounds;
+  summary.rounds = rounding.rounds();
   summary.chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));
   map->certificate.round_holes = summary;
   const Triangulation& whole = surface.triangulation;
