@@ -53,7 +53,8 @@ std::string TextAt(const nlohmann::json& record, const std::string& pointer) {
 }
 
 std::string CsvField(const nlohmann::json& value) {
-  const std::string text = PlainText(value);
+  std::string text = PlainText(value);
+  if (value.is_string() && text.find_first_of("=+-@\t\r") == 0) text = "'" + text;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

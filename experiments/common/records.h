@@ -24,7 +24,8 @@ double NumberAt(const nlohmann::json& record, const std::string& pointer);
 /// The string at a JSON pointer, numbers and lists as JSON writes them; empty where there is none.
 std::string TextAt(const nlohmann::json& record, const std::string& pointer);
 
-/// A value as a field of a CSV (RFC 4180), numbers in shortest round-trip digits, null as nothing.
+/// A value as a field of a CSV (RFC 4180), numbers in shortest round-trip digits, null as nothing. A
+/// text that a spreadsheet would take for a formula (=, +, -, @ first) has an apostrophe before it.
 std::string CsvField(const nlohmann::json& value);
 
 }  // namespace cirque

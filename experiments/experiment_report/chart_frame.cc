@@ -69,7 +69,10 @@ std::string Legend(const SeriesNames& series) {
 }
 
 std::string Caption(const ChartText& text) {
-  return fmt::format("<figure class=\"chart\"><figcaption>{}</figcaption>", Escape(text.title));
+  return fmt::format(
+      "<figure class=\"chart\" data-title=\"{0}\"><figcaption>{0} <button type=\"button\" "
+      "class=\"save\">PNG</button></figcaption>",
+      Escape(text.title));
 }
 
 }  // namespace
@@ -134,7 +137,8 @@ std::string TitleElement(const std::string& title) {
   return title.empty() ? "" : "<title>" + Escape(title) + "</title>";
 }
 
-std::string Marker(int series, double x, double y, const std::string& title) {
+std::string Marker(int series, double x, double y, const std::string& title,
+                   const std::string& link) {
   const double r = kMarkerSize;
   const std::string shapes[kShapes] = {
       fmt::format("a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z", r, 2 * r),
@@ -142,8 +146,10 @@ std::string Marker(int series, double x, double y, const std::string& title) {
       fmt::format("l{0} -{1}l{0} {1}z", r, 1.5 * r), fmt::format("l{0} -{0}l{0} {0}l-{0} {0}z", r)};
   const int shape = (series + series / kColours) % kShapes;  // another one when colours repeat
   const double down = shape == 2 ? y + 0.75 * r : y;
-  return fmt::format("<path {} d=\"M{:.1f} {:.1f}{}\">{}</path>", MarkClass(series), x - r, down,
-                     shapes[shape], TitleElement(title));
+  const std::string mark =
+      fmt::format("<path {} d=\"M{:.1f} {:.1f}{}\">{}</path>", MarkClass(series), x - r, down,
+                  shapes[shape], TitleElement(title));
+  return link.empty() ? mark : fmt::format("<a href=\"{}\">{}</a>", Escape(link), mark);
 }
 
 }  // namespace cirque::experiment_report

@@ -11,7 +11,7 @@ namespace cirque::experiment_report {
 /// that takes its colours from the page's style sheet: series i has the class "s" + i mod 8, from
 /// the ninth on also "again" (lines are dashed), and points of every series have one of 4 shapes.
 /// Every mark has the classes "mark" and "n" with i, and a title for the pointer. The legend names
-/// what the series differ in; its buttons hide and show them.
+/// what the series differ in; its buttons hide and show them. A button saves the chart as a PNG.
 struct ChartText {
   std::string title;
   std::string x_label, y_label;
@@ -51,7 +51,8 @@ std::string EmptyFigure(const ChartText& text, const std::string& reason);
 std::string MarkClass(int series, const std::string& further = "");
 std::string TitleElement(const std::string& title);
 
-/// A point of the series' shape around a place of the frame.
-std::string Marker(int series, double x, double y, const std::string& title);
+/// A point of the series' shape around a place of the frame; with a link a click on it leads there.
+std::string Marker(int series, double x, double y, const std::string& title,
+                   const std::string& link = "");
 
 }  // namespace cirque::experiment_report

@@ -44,6 +44,37 @@ std::string CurvePath(const ChartFrame& frame, const Curve& curve, bool steps) {
   return !path.empty() && is_point ? path + "h0" : path;  // its round ends make a dot
 }
 
+/// Along the upper heights and back along the lower ones.
+std::string BandPath(const ChartFrame& frame, const Band& band) {
+  std::string there, back;
+  for (std::size_t i = 0; i < band.x.size(); ++i) {
+    if (!frame.Shows(band.x[i], band.low[i]) || !frame.Shows(band.x[i], band.high[i])) continue;
+    const double x = frame.X(band.x[i]);
+    there += fmt::format("{}{:.1f} {:.1f}", there.empty() ? 'M' : 'L', x, frame.Y(band.high[i]));
+    back = fmt::format("L{:.1f} {:.1f}", x, frame.Y(band.low[i])) + back;
+  }
+  return there.empty() ? "" : there + back + "z";
+}
+
+/// The value below which a share of the sorted ones lies.
+double Quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/// The heights of the curves at the i-th place, sorted.
+std::vector<double> HeightsAt(const std::vector<const Curve*>& curves, std::size_t i) {
+  std::vector<double> heights;
+  for (const Curve* curve : curves) {
+    const double height = curve->y[std::min(i, curve->y.size() - 1)];
+    if (height > 0) heights.push_back(height);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
 /// The borders of the bins, which the axis' range is cut into evenly.
 std::vector<double> BinBorders(const Axis& axis) {
   std::vector<double> borders;
@@ -100,7 +131,8 @@ std::string ScatterChart(const ChartText& text, const SeriesNames& series,
   std::size_t shown = 0;
   for (const Point& point : points) {
     if (!frame.Shows(point.x, point.y)) continue;
-    marks += Marker(point.series, frame.X(point.x), frame.Y(point.y), point.title) + "\n";
+    marks +=
+        Marker(point.series, frame.X(point.x), frame.Y(point.y), point.title, point.link) + "\n";
     ++shown;
   }
   if (shown == 0) return EmptyFigure(text, "No run has both values.");
@@ -108,8 +140,14 @@ std::string ScatterChart(const ChartText& text, const SeriesNames& series,
 }
 
 std::string CurveChart(const ChartText& text, const SeriesNames& series,
-                       const std::vector<Curve>& curves, bool steps) {
+                       const std::vector<Curve>& curves, bool steps,
+                       const std::vector<Band>& bands) {
   std::vector<double> all_x, all_y;
+  for (const Band& band : bands) {
+    all_x.insert(all_x.end(), band.x.begin(), band.x.end());
+    all_y.insert(all_y.end(), band.low.begin(), band.low.end());
+    all_y.insert(all_y.end(), band.high.begin(), band.high.end());
+  }
   for (const Curve& curve : curves) {
     all_x.insert(all_x.end(), curve.x.begin(), curve.x.end());
     all_y.insert(all_y.end(), curve.y.begin(), curve.y.end());
@@ -117,6 +155,10 @@ std::string CurveChart(const ChartText& text, const SeriesNames& series,
   const ChartFrame frame(text, Axis(text.x_label, text.x_kind, all_x),
                          Axis(text.y_label, text.y_kind, all_y));
   std::string marks;
+  for (const Band& band : bands) {
+    marks += fmt::format("<path {} d=\"{}\">{}</path>\n", MarkClass(band.series, " band"),
+                         BandPath(frame, band), TitleElement(band.title));
+  }
   for (const Curve& curve : curves) {
     const std::string path = CurvePath(frame, curve, steps);
     if (path.empty()) continue;
@@ -125,6 +167,34 @@ std::string CurveChart(const ChartText& text, const SeriesNames& series,
   }
   if (marks.empty()) return EmptyFigure(text, "No run has such a curve.");
   return frame.Figure(series, marks, "");
+}
+
+Summary Summarize(const SeriesNames& series, const std::vector<Curve>& curves) {
+  std::vector<std::vector<const Curve*>> members(series.size());
+  for (const Curve& curve : curves) {
+    if (!curve.y.empty()) members[curve.series].push_back(&curve);
+  }
+  Summary summary;
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    std::size_t longest = 0;
+    for (const Curve* curve : members[s]) longest = std::max(longest, curve->y.size());
+    const int number = static_cast<int>(s);
+    Curve median{number, {}, {}, series[s] + ": median"};
+    Band band{number, {}, {}, {}, series[s] + ": lower to upper decile"};
+    for (std::size_t i = 0; i < longest; ++i) {
+      const std::vector<double> heights = HeightsAt(members[s], i);
+      if (heights.empty()) continue;
+      median.x.push_back(static_cast<double>(i));
+      median.y.push_back(Quantile(heights, 0.5));
+      band.low.push_back(Quantile(heights, 0.1));
+      band.high.push_back(Quantile(heights, 0.9));
+    }
+    if (median.x.empty()) continue;
+    band.x = median.x;
+    summary.medians.push_back(std::move(median));
+    summary.bands.push_back(std::move(band));
+  }
+  return summary;
 }
 
 std::string HistogramChart(const ChartText& text, const SeriesNames& series,

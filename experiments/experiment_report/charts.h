@@ -11,6 +11,7 @@ struct Point {
   int series = 0;
   double x = 0, y = 0;
   std::string title;
+  std::string link = {};  ///< where a click leads; empty: nowhere
 };
 
 /// One mark a point. Points that an axis cannot show are left out, and counted below the chart.
@@ -23,9 +24,27 @@ struct Curve {
   std::string title;
 };
 
-/// One mark a curve. As steps, a curve keeps its height up to the next point.
+/// What lies between two heights over the same places.
+struct Band {
+  int series = 0;
+  std::vector<double> x, low, high;
+  std::string title;
+};
+
+/// One mark a curve, and one a band behind them. As steps, a curve keeps its height up to the next
+/// point.
 std::string CurveChart(const ChartText& text, const SeriesNames& series,
-                       const std::vector<Curve>& curves, bool steps);
+                       const std::vector<Curve>& curves, bool steps,
+                       const std::vector<Band>& bands = {});
+
+/// The median of every series' curves at x = 0, 1, ... and the band from their lower to their upper
+/// decile, in place of more lines than an eye can follow. A curve that has ended keeps its height;
+/// heights that are no positive numbers are passed over.
+struct Summary {
+  std::vector<Curve> medians;
+  std::vector<Band> bands;
+};
+Summary Summarize(const SeriesNames& series, const std::vector<Curve>& curves);
 
 struct Sample {
   int series = 0;

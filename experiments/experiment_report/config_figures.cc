@@ -75,7 +75,8 @@ std::string Scatter(const ChartText& text, const SeriesNames& series,
   for (const FigurePoint& point : points) {
     marks.push_back({NumberOf(series, point.series), point.x, point.y,
                      fmt::format("{} - {}: {}, {}", point.mesh, point.method, ShownNumber(point.x),
-                                 ShownNumber(point.y))});
+                                 ShownNumber(point.y)),
+                     point.link});
   }
   return ScatterChart(text, series, marks);
 }
@@ -136,7 +137,7 @@ std::vector<FigurePoint> PointsOf(const ConfigFigure& figure, const std::vector<
     const double x = NumberAt(run.record, figure.x.pointer);
     const double y = counts ? 0 : NumberAt(run.record, figure.y.pointer);
     if (!run.IsOk() || std::isnan(x) || std::isnan(y)) continue;
-    points.push_back({TextAt(run.record, figure.by_pointer), run.mesh, run.method, x, y});
+    points.push_back({TextAt(run.record, figure.by_pointer), run.mesh, run.method, x, y, run.link});
   }
   return figure.kind == "lines" ? Medians(points) : points;
 }

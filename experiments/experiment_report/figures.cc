@@ -11,6 +11,7 @@
 
 #include "experiments/common/map_view/html.h"
 #include "experiments/common/process.h"
+#include "experiments/common/records.h"
 #include "experiments/experiment_report/chart_frame.h"
 #include "experiments/experiment_report/charts.h"
 
@@ -52,7 +53,7 @@ std::string TimeScatter(const std::vector<Run>& maps) {
   std::vector<Point> points;
   for (const Run& run : maps) {
     points.push_back({methods.Of(run.method), run.triangles, run.seconds,
-                      PointTitle(run, run.triangles, run.seconds)});
+                      PointTitle(run, run.triangles, run.seconds), run.link});
   }
   return ScatterChart({"Time against size", "triangles", "time [s]", kLog, kLog, ""},
                       methods.names(), points);
@@ -84,7 +85,7 @@ std::string DistortionScatter(const std::vector<Run>& maps) {
   for (const Run& run : maps) {
     const double angle = Excess(run, "quasi_conformal_mean"), area = AreaDistortion(run);
     shown.insert(shown.end(), {angle, area});
-    points.push_back({methods.Of(run.method), angle, area, PointTitle(run, angle, area)});
+    points.push_back({methods.Of(run.method), angle, area, PointTitle(run, angle, area), run.link});
   }
   return ScatterChart({"Area against angle distortion", "mean quasi-conformal ratio - 1",
                        "log area ratio, root mean square", kLog, kLog, LeastNote(shown)},
@@ -170,6 +171,8 @@ std::string ProfileChart(const std::vector<Run>& runs) {
   return CurveChart(text, names, curves, true);
 }
 
+constexpr std::size_t kMostLines = 160;  ///< that are drawn one by one
+
 /// The curve of one history, gradients that are no positive numbers left out when it is drawn.
 Curve HistoryCurve(const Run& run, const json& history, int series, const std::string& strategy) {
   Curve curve{series, {}, {}, run.mesh + " - " + run.method + " - " + strategy};
@@ -197,8 +200,15 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
     const int series = by_method ? methods.Of(run.method) : strategies.Of(strategy(run));
     curves.push_back(HistoryCurve(run, run.record.at(pointer), series, strategy(run)));
   }
-  return CurveChart({title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""},
-                    by_method ? methods.names() : strategies.names(), curves, false);
+  const SeriesNames& series = by_method ? methods.names() : strategies.names();
+  ChartText text{title, "iteration", "largest gradient entry", AxisKind::kWhole, kLog, ""};
+  if (curves.size() <= kMostLines) return CurveChart(text, series, curves, false);
+  text.note = fmt::format(
+      "Medians of {} solves, and the band from their lower to their upper decile; a solve that has "
+      "ended keeps its last gradient.",
+      curves.size());
+  const Summary summary = Summarize(series, curves);
+  return CurveChart(text, series, summary.medians, false, summary.bands);
 }
 
 constexpr char kLooksForMatplotlib[] =
@@ -214,7 +224,10 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
          ConvergenceChart(runs, "angles", "Convergence of the angle fit",
                           [](const Run& run) { return run.angle_solver; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",
-                          [](const Run& run) { return run.radii_solver; });
+                          [](const Run& run) { return run.radii_solver; }) +
+         ConvergenceChart(runs, "energy", "Convergence of the energies", [](const Run& run) {
+           return TextAt(run.record, "/method/energy_solver");
+         });
 }
 
 Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json,

@@ -54,10 +54,11 @@ Status WriteTable(const fs::path& stem, const FlatTable& table) {
 }
 
 Status WriteReport(const std::string& folder, const fs::path& page) {
-  const StatusOr<Results> results = ReadResults(folder);
+  StatusOr<Results> results = ReadResults(folder);
   if (!results.ok()) return results.status();
   const double bytes = std::max(0.0, FLAGS_max_megabytes - kWithoutMaps) * kMegabyte;
   const ShownMaps maps = CollectMaps(folder, results->runs, static_cast<std::size_t>(bytes));
+  LinkRuns(maps, &results->runs);
   const std::string title = fs::weakly_canonical(folder).filename();
   const StatusOr<std::vector<ConfigFigure>> figures = ReadConfigFigures(folder);
   if (!figures.ok()) return figures.status();

@@ -1,6 +1,7 @@
 #include "experiments/experiment_report/page.h"
 
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -59,6 +60,11 @@ std::string Body(const std::string& title, const Results& results, const ShownMa
 
 }  // namespace
 
+void LinkRuns(const ShownMaps& maps, std::vector<Run>* runs) {
+  const std::set<std::string> shown(maps.keys.begin(), maps.keys.end());
+  for (Run& run : *runs) run.link = (shown.contains(run.key) ? "#map-" : "#run-") + run.key;
+}
+
 ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
                       std::size_t most_bytes) {
   ShownMaps maps;
@@ -95,7 +101,7 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
 
 std::string ReportHtml(const std::string& title, const Results& results, const ShownMaps& maps,
                        const std::vector<ConfigFigure>& figures) {
-  std::vector<PageScript> scripts = {{"", kTableScript}};
+  std::vector<PageScript> scripts = {{"", kSaveFileScript}, {"", kTableScript}};
   if (!maps.keys.empty()) scripts.push_back({" type=\"module\"", kViewerScript});
   return PageHtml(title, Body(title, results, maps, figures),
                   {{"views", maps.views}, {"scales", ColourScales()}}, scripts);

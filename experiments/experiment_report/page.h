@@ -19,6 +19,9 @@ struct ShownMaps {
   std::vector<std::string> left_out;  ///< sentences: which maps are not shown, and why
 };
 
+/// Sets where every run is found in the page.
+void LinkRuns(const ShownMaps& maps, std::vector<Run>* runs);
+
 /// Reads the maps that runs kept, in the order of the runs, up to the first whose data exceeds
 /// what is left of `most_bytes` of the page.
 ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
@@ -42,7 +45,8 @@ std::string SummaryHtml(const Results& results, const std::vector<Comparison>& c
 /// page shows (by key) link to it.
 std::string RunsHtml(const std::vector<Run>& runs, const std::vector<std::string>& shown_maps);
 
-/// The runs without a map, by outcome, each with its message; empty when there are none.
+/// The runs without a map, each with its message: answers, limits that were met, and faults, which are
+/// the programs' own, apart from each other and by outcome. Empty when there are none.
 std::string FailuresHtml(const std::vector<Run>& runs);
 
 /// The scripts that sort tables and that hide and show series, embedded.

@@ -15,6 +15,8 @@ struct Run {
   std::string key, mesh, mesh_hash, method, radii_solver, angle_solver, outcome, message;
   std::string map;  ///< of the kept map, relative to the folder of the results
   double triangles = 0, seconds = 0;
+  std::string link =
+      {};  ///< its place in the page: of its map where that is shown, else of its row
 
   bool IsOk() const { return outcome == "ok"; }
   /// `/values/NAME` of the record.

@@ -90,7 +90,7 @@ std::string RunsHtml(const std::vector<Run>& runs, const std::vector<std::string
   for (const Run& run : runs) {
     const bool linked =
         std::find(shown_maps.begin(), shown_maps.end(), run.key) != shown_maps.end();
-    html += "<tr>";
+    html += "<tr id=\"run-" + Escape(run.key) + "\">";
     for (const ShownColumn& column : columns) html += Cell(run, column, linked);
     html += "</tr>\n";
   }

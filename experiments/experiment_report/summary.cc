@@ -73,6 +73,53 @@ std::string Tile(const std::string& css, int number, const std::string& what) {
                      what);
 }
 
+/// What an outcome without a map says.
+struct FailureKind {
+  std::string heading, meaning;
+  std::set<std::string> outcomes;
+};
+
+/// The last is of every outcome that no other names.
+const std::vector<FailureKind>& FailureKinds() {
+  static const std::vector<FailureKind> kKinds = {
+      {"Expected: there is no map, and it is said why",
+       "The surface has none of this kind, by a proof, or was not to be mapped; or the strategy "
+       "has "
+       "no such form of the energy.",
+       {"infeasible", "invalid_input", "unsupported"}},
+      {"Limits that were met",
+       "Of iterations, floating point, time or memory: more of them may help.",
+       {"not_converged", "unrepresentable", "inaccurate", "time_limit", "memory_limit",
+        "cancelled"}},
+      {"Faults", "A program failed, or made what is no map.", {}}};
+  return kKinds;
+}
+
+const FailureKind& KindOf(const std::string& outcome) {
+  const std::vector<FailureKind>& kinds = FailureKinds();
+  for (const FailureKind& kind : kinds) {
+    if (kind.outcomes.contains(outcome)) return kind;
+  }
+  return kinds.back();
+}
+
+using RunsByOutcome = std::map<std::string, std::vector<const Run*>>;
+
+std::string OutcomesHtml(const RunsByOutcome& by_outcome) {
+  std::string html;
+  for (const auto& [outcome, members] : by_outcome) {
+    html += fmt::format("<details open><summary>{}: {}</summary><table class=\"facts failures\">",
+                        Escape(outcome), members.size());
+    for (const Run* run : members) {
+      html += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"message\">{}</td></tr>\n",
+          Escape(run->mesh), Escape(run->method), Escape(run->message));
+    }
+    html += "</table></details>\n";
+  }
+  return html;
+}
+
 }  // namespace
 
 Verdicts CountVerdicts(const std::vector<Run>& runs) {
@@ -112,20 +159,15 @@ std::string SummaryHtml(const Results& results, const std::vector<Comparison>& c
 }
 
 std::string FailuresHtml(const std::vector<Run>& runs) {
-  std::map<std::string, std::vector<const Run*>> by_outcome;
+  std::map<std::string, RunsByOutcome> by_kind;
   for (const Run& run : runs) {
-    if (!run.IsOk()) by_outcome[run.outcome].push_back(&run);
+    if (!run.IsOk()) by_kind[KindOf(run.outcome).heading][run.outcome].push_back(&run);
   }
   std::string html;
-  for (const auto& [outcome, members] : by_outcome) {
-    html += fmt::format("<details open><summary>{}: {}</summary><table class=\"facts failures\">",
-                        Escape(outcome), members.size());
-    for (const Run* run : members) {
-      html += fmt::format(
-          "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"message\">{}</td></tr>\n",
-          Escape(run->mesh), Escape(run->method), Escape(run->message));
-    }
-    html += "</table></details>\n";
+  for (const FailureKind& kind : FailureKinds()) {
+    if (!by_kind.contains(kind.heading)) continue;
+    html += "<h3>" + Escape(kind.heading) + "</h3>\n<p class=\"note\">" + Escape(kind.meaning) +
+            "</p>\n" + OutcomesHtml(by_kind[kind.heading]);
   }
   return html;
 }

@@ -7,7 +7,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/solver/solver_strategy.h"
 
-#include "experiments/studies/solver_problem.h"
+#include "experiments/common/solver_problem.h"
 
 namespace cirque {
 

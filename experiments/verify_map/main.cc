@@ -19,9 +19,9 @@
 #include "cirque/verify/sphere_check.h"
 
 #include "experiments/common/flag_parsing.h"
+#include "experiments/common/judged_measures.h"
 #include "experiments/common/manual.h"
 #include "experiments/common/program.h"
-#include "experiments/verify_map/measures.h"
 
 DEFINE_string(json, "", "write the report as JSON too; without FILE, instead of the text");
 DEFINE_string(

@@ -60,6 +60,12 @@ TEST(Records, FieldsOfACsvAreQuotedWhereTheyMust) {  // RFC 4180, section 2
   EXPECT_EQ(CsvField("say \"hi\""), "\"say \"\"hi\"\"\"");
   EXPECT_EQ(CsvField("two\nlines"), "\"two\nlines\"");
   EXPECT_EQ(CsvField("one\r"), "\"one\r\"");
+  // What a spreadsheet would reckon with.
+  for (const std::string text : {"=1+1", "+a", "-a", "@SUM(A1)"}) {
+    EXPECT_EQ(CsvField(text), "'" + text);
+  }
+  EXPECT_EQ(CsvField("=a,b"), "\"'=a,b\"");
+  EXPECT_EQ(CsvField(-1.5), "-1.5");
   EXPECT_EQ(CsvField(0.1), "0.1");
   EXPECT_EQ(CsvField(true), "true");
   EXPECT_EQ(CsvField({1, 2}), "\"[1,2]\"");

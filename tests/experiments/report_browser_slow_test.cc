@@ -136,7 +136,10 @@ constexpr char kNoChromium[] = "chromium is not installed (Debian: apt-get insta
 
 bool HasChromium() { return std::system("command -v chromium > /dev/null") == 0; }
 
+/// The page with the probe's scripts in it, which its policy would not let run.
 std::string WriteProbed(const TemporaryFolder& folder, std::string html, const std::string& probe) {
+  const std::size_t policy = html.find("<meta http-equiv=");
+  html.erase(policy, html.find('\n', policy) - policy);
   html.replace(html.find("</head>"), 7, kFrames);
   html.replace(html.rfind("</body>"), 7, probe);
   return folder.Write("probed.html", html);
@@ -174,15 +177,87 @@ TEST(ReportInBrowserSlow, DrawsSortsAndHasNoErrors) {
   EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
 }
 
-TEST(ReportInBrowserSlow, ALinkToAMapShowsIt) {
-  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
-  const TemporaryFolder folder;
+/// A report of two maps and a run without one.
+void WriteTwoMaps(const TemporaryFolder& folder) {
   nlohmann::json a = ReportRecord("a", "m", 1), b = ReportRecord("b", "m", 2);
   folder.Write("maps/a.obj", PyramidObj(5));
   folder.Write("maps/b.obj", PyramidObj(4));
   a["map"] = "maps/a.obj";
   b["map"] = "maps/b.obj";
-  folder.Write("results.jsonl", JsonLines({a, b}));
+  folder.Write("results.jsonl", JsonLines({a, b, ReportRecord("c", "m", 3)}));
+}
+
+// The page as it is written: its policy lets its own scripts run, and no other.
+TEST(ReportInBrowserSlow, ThePolicyLetsItsOwnScriptsRunAndNoOther) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  const TemporaryFolder folder;
+  WriteTwoMaps(folder);
+  EXPECT_EQ(RunProgram("experiment_report " + folder.path()).exit_status, 0);
+  std::string html = folder.Read("report.html");
+  const std::string own = Browse(folder.Path("report.html"), folder.Path("profile")).output;
+  EXPECT_THAT(own, Not(HasSubstr("CONSOLE")));
+  EXPECT_THAT(own, HasSubstr("a - m</option>"));  // made by a script
+  html.replace(html.rfind("</body>"), 7, "<script>document.title = 'alien';</script></body>");
+  const std::string alien =
+      Browse(folder.Write("alien.html", html), folder.Path("profile2")).output;
+  EXPECT_THAT(alien, HasSubstr("Content Security Policy"));
+  EXPECT_THAT(alien, Not(HasSubstr("<title>alien")));
+}
+
+// A second map is drawn beside the first, and turns with it; figures and views are saved as PNG.
+constexpr char kBesideProbe[] = R"(<script type="module">
+const byId = (id) => document.getElementById(id);
+const wait = (ready) => new Promise((done) => {
+  const look = () => (ready() ? done() : setTimeout(look, 1));
+  look();
+});
+const picture = (id) => byId(id).toDataURL();
+await wait(() => byId("surface").dataset.faces > 0 && byId("facts").textContent !== "");
+const found = [document.querySelectorAll("canvas").length];
+byId("beside").value = 1;
+byId("beside").dispatchEvent(new Event("change"));
+await wait(() => byId("surface2") && byId("surface2").dataset.faces > 0 && byId("image2").dataset.faces > 0);
+found.push(document.querySelector("#second span").textContent);
+for (const [turned, other] of [["surface", "surface2"], ["surface2", "surface"], ["image2", "image"]]) {
+  const before = picture(other);
+  byId(turned).dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+  await new Promise((done) => setTimeout(done, 100));
+  found.push(other + (picture(other) === before ? " stays" : " follows"));
+}
+const saved = [];
+const made = URL.createObjectURL;
+URL.createObjectURL = (blob) => { saved.push(blob.type); return made(blob); };
+HTMLAnchorElement.prototype.click = function () { saved.push(this.download); };
+for (const button of document.querySelectorAll("#maps .save, .chart:first-child .save")) {
+  const count = saved.length;
+  button.click();
+  await wait(() => saved.slice(count).some((text) => text.endsWith(".png")));
+}
+found.push(saved.filter((text) => text.endsWith(".png")).join(" "));
+byId("beside").value = -1;
+byId("beside").dispatchEvent(new Event("change"));
+found.push(byId("second").hidden ? "alone" : "beside");
+const report = document.createElement("pre");
+report.textContent = ["PROBE", found.join("; "), "END"].join(" ");
+document.body.append(report);
+</script></body>)";
+
+TEST(ReportInBrowserSlow, TwoMapsTurnTogetherAndPicturesAreSaved) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  const TemporaryFolder folder;
+  WriteTwoMaps(folder);
+  const std::string dom = Browse(WriteProbed(folder, kBesideProbe), folder.Path("profile")).output;
+  EXPECT_EQ(Found(dom),
+            "2; b - m; surface2 follows; surface follows; image follows; "
+            "Time_against_size.png a-m-surface.png a-m-image.png b-m-surface2.png "
+            "b-m-image2.png; alone");
+  EXPECT_THAT(dom, Not(HasSubstr("CONSOLE")));
+}
+
+TEST(ReportInBrowserSlow, ALinkToAMapShowsIt) {
+  if (!HasChromium()) GTEST_SKIP() << kNoChromium;
+  const TemporaryFolder folder;
+  WriteTwoMaps(folder);
   const std::string page = WriteProbed(folder, kLinkProbe);
   const std::string dom = Browse(page + "#map-b-m", folder.Path("profile")).output;
   EXPECT_EQ(Found(dom), "b - m; in sight; #map-a-m");

@@ -82,6 +82,35 @@ TEST(CurveChart, StepsGoRightThenUp) {
   EXPECT_TRUE(std::regex_search(html, std::regex("d=\"M[0-9. ]+H[0-9.]+V[0-9.]+\""))) << html;
 }
 
+TEST(CurveChart, ManyCurvesAreMediansAndBands) {
+  std::vector<Curve> curves;
+  for (int i = 1; i <= 11; ++i) curves.push_back({0, {0, 1}, {1.0 * i, 10.0 * i}, ""});
+  curves.push_back({1, {0}, {7}, ""});
+  curves.push_back({1, {0, 1, 2}, {7, 5, 3}, ""});
+  const SeriesNames names = {"a", "b", "without"};
+  const Summary summary = Summarize(names, curves);
+  ASSERT_EQ(summary.medians.size(), 2u);
+  EXPECT_EQ(summary.medians[0].y, (std::vector<double>{6, 60}));
+  EXPECT_EQ(summary.bands[0].low, (std::vector<double>{2, 20}));
+  EXPECT_EQ(summary.bands[0].high, (std::vector<double>{10, 100}));
+  // The one that has ended keeps its height.
+  EXPECT_EQ(summary.medians[1].y, (std::vector<double>{7, 6, 5}));
+  const std::string html =
+      CurveChart({"t", "x", "y"}, names, summary.medians, false, summary.bands);
+  EXPECT_EQ(Count(html, " band\""), 2);
+}
+
+TEST(Figures, MoreSolvesThanAnEyeCanFollowAreMedians) {
+  std::vector<nlohmann::json> records;
+  for (int i = 0; i < 161; ++i) {
+    records.push_back(ReportRecord("mesh" + std::to_string(i), "m", 1));
+    records.back()["history"] = {{"angles", {1.0, 0.1 * (i + 1), 1e-9}}};
+  }
+  EXPECT_THAT(FiguresHtml(ResultsOf(records).runs), HasSubstr("Medians of 161 solves"));
+  records.pop_back();
+  EXPECT_THAT(FiguresHtml(ResultsOf(records).runs), Not(HasSubstr("Medians of")));
+}
+
 TEST(Figures, MarksFollowTheRecords) {
   std::vector<nlohmann::json> records;
   for (const std::string mesh : {"a", "b", "c"}) {

@@ -1,15 +1,19 @@
 // The page of experiment_report: what is on it, and the maps packed into it.
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/io/png.h"
 
 #include "experiments/common/map_view/map_payload.h"
+#include "experiments/common/map_view/sha256.h"
 #include "experiments/common/map_view/uv_map.h"
+#include "experiments/experiment_report/figures.h"
 #include "experiments/experiment_report/page.h"
 #include "tests/common/run_program.h"
 #include "tests/common/surfaces.h"
@@ -170,6 +174,73 @@ TEST(ReportPage, NamesAndMessagesAreEscaped) {
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
   EXPECT_THAT(html, HasSubstr("gradient &lt; 1 &amp; more"));
   EXPECT_THAT(html, HasSubstr("Is 1 &lt; 2?"));
+}
+
+TEST(Sha256, KnownDigests) {  // FIPS 180-4, and of many blocks
+  const auto hex = [](const std::string& text) {
+    std::string digits;
+    for (const std::uint8_t byte : Sha256(text)) digits += fmt::format("{:02x}", byte);
+    return digits;
+  };
+  EXPECT_EQ(hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(hex("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(hex(std::string(1000000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// Every script that the page holds is one that its policy lets run, and only these.
+TEST(ReportPage, ItsPolicyNamesItsScriptsAndNothingElse) {
+  const std::string html = ReportHtml("t", ResultsOf({ReportRecord("a", "m", 1)}), {});
+  const std::size_t begin = html.find("script-src ") + 11;
+  const std::string allowed = html.substr(begin, html.find(';', begin) - begin);
+  EXPECT_THAT(allowed, Not(HasSubstr("unsafe")));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  int scripts = 0;
+  for (std::size_t at = 0; (at = html.find("<script", at)) != std::string::npos; ++at) {
+    const std::size_t text = html.find('>', at) + 1;
+    if (html.substr(at, text - at).find("application/json") != std::string::npos) continue;
+    const auto digest = Sha256(html.substr(text, html.find("</script>", text) - text));
+    EXPECT_THAT(allowed, HasSubstr("'sha256-" + Base64({digest.begin(), digest.end()}) + "'"));
+    ++scripts;
+  }
+  EXPECT_GE(scripts, 2);
+  EXPECT_EQ(std::count(allowed.begin(), allowed.end(), '-'), scripts);
+}
+
+TEST(ReportPage, ExpectedFailuresStandApartFromFaults) {
+  std::vector<nlohmann::json> records;
+  for (const std::string outcome : {"crash", "infeasible", "time_limit", "never heard of"}) {
+    records.push_back(ReportRecord(outcome + " mesh", "m", 1));
+    records.back()["outcome"] = outcome;
+  }
+  const std::string html = FailuresHtml(ResultsOf(records).runs);
+  const std::size_t expected = html.find("<h3>Expected"), limits = html.find("<h3>Limits"),
+                    faults = html.find("<h3>Faults");
+  ASSERT_TRUE(expected < limits && limits < faults && faults != std::string::npos) << html;
+  const std::pair<const char*, std::pair<std::size_t, std::size_t>> places[] = {
+      {"infeasible mesh", {expected, limits}},
+      {"time_limit mesh", {limits, faults}},
+      {"crash mesh", {faults, html.size()}},
+      {"never heard of mesh", {faults, html.size()}}};
+  for (const auto& [mesh, between] : places) {
+    EXPECT_GT(html.find(mesh), between.first) << mesh;
+    EXPECT_LT(html.find(mesh), between.second) << mesh;
+  }
+}
+
+// A point of a chart leads to its map where the page shows that, else to its row of the table.
+TEST(ReportPage, PointsLeadToTheirRuns) {
+  Results results = ResultsOf({ReportRecord("a", "m", 1), ReportRecord("b", "m", 2)});
+  ShownMaps maps;
+  maps.keys = {results.runs[1].key};
+  LinkRuns(maps, &results.runs);
+  const std::string html = FiguresHtml(results.runs);
+  EXPECT_THAT(html, HasSubstr("href=\"#run-" + results.runs[0].key + "\""));
+  EXPECT_THAT(html, HasSubstr("href=\"#map-" + results.runs[1].key + "\""));
+  EXPECT_THAT(RunsHtml(results.runs, maps.keys),
+              HasSubstr("<tr id=\"run-" + results.runs[0].key + "\">"));
 }
 
 TEST(ReportPage, NeedsNoOtherFile) {

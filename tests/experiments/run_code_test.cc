@@ -37,13 +37,19 @@ std::vector<std::string> Paths() {
   return paths;
 }
 
-/// The objectives whose strict runs get another name when the source's content is another.
-std::set<std::string> ChangedBy(const std::string& path, bool strict = true) {
+/// The sources, that of the path with another content.
+std::vector<SourceFile> WithAnother(const std::string& path) {
   std::vector<SourceFile> changed(RunSources().begin(), RunSources().end());
   const auto found = std::find_if(changed.begin(), changed.end(),
                                   [&](const SourceFile& source) { return source.path == path; });
   EXPECT_NE(found, changed.end()) << path;
   if (found != changed.end()) found->hash = "0123456789abcdef";
+  return changed;
+}
+
+/// The objectives whose strict runs get another name when the source's content is another.
+std::set<std::string> ChangedBy(const std::string& path, bool strict = true) {
+  const std::vector<SourceFile> changed = WithAnother(path);
   std::set<std::string> names;
   for (const std::string& objective : AngleObjectives().Names()) {
     const MethodSpec method = WithObjective(objective, strict);
@@ -61,7 +67,7 @@ TEST(RunCode, IsOfTheSourcesThatMakeRuns) {
     EXPECT_THAT(paths, Contains(path));
   }
   for (const char* beginning :
-       {"framework/cirque/verify/", "framework/docs/", "tests/", "experiments/experiment_report/",
+       {"framework/cirque/audit/", "framework/docs/", "tests/", "experiments/experiment_report/",
         "framework/cirque/core/version.cc", "README.md"}) {
     EXPECT_THAT(paths, Each(Not(StartsWith(beginning))));
   }
@@ -93,6 +99,29 @@ TEST(RunCode, CountsWhatTheLadderMayFallBackOn) {
   EXPECT_EQ(ChangedBy(energy + "quadratic_objective.cc", false),
             ChangedBy(energy + "angle_objective.h", false));
   EXPECT_EQ(ChangedBy(energy + "entropy_objective.cc", false), std::set<std::string>{"entropy"});
+}
+
+TEST(RunCode, OfMapsEnergiesAndPeersIsOfWhatMakesThem) {
+  MethodSpec map, energy, peer;
+  energy.trial.energy = "lorentz";
+  peer.peer = {"/bin/true", "{in}", "{out}"};
+  const struct {
+    const char* path;
+    bool map, energy, peer;
+  } cases[] = {
+      {"framework/cirque/verify/map_check.cc", false, false, true},
+      {"experiments/run_experiment/run/peer_run.cc", false, false, true},
+      {"experiments/run_experiment/run/energy_run.cc", false, true, false},
+      {"framework/cirque/solver/newton_loop.cc", true, true, false},
+      {"framework/cirque/energy/barrier_objective.cc", false, true, false},
+      {"framework/cirque/io/obj.cc", true, true, true},
+  };
+  for (const auto& [path, changes_map, changes_energy, changes_peer] : cases) {
+    const std::vector<SourceFile> changed = WithAnother(path);
+    EXPECT_EQ(RunCode(map) != RunCode(map, changed), changes_map) << path;
+    EXPECT_EQ(RunCode(energy) != RunCode(energy, changed), changes_energy) << path;
+    EXPECT_EQ(RunCode(peer) != RunCode(peer, changed), changes_peer) << path;
+  }
 }
 
 }  // namespace

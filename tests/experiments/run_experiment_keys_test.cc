@@ -120,6 +120,41 @@ TEST_F(RunExperimentKeys, SeveralComponentsAreRepairedAndMappedAsTheProgramDoes)
   EXPECT_THAT(unknown.status().message(), HasSubstr("glue"));
 }
 
+// In the plane the map is the identity; Loop's surfaces go to a smooth one and their maps to its map, so
+// that the distance from the next one falls.
+TEST_F(RunExperimentKeys, AMapIsComparedWithThatOfTheRefinedSurface) {
+  const std::string methods = "  - {name: a, refine_map: none}\n", rest = "against_refined: true\n";
+  const std::string hills =
+      "  - {generator: bumpy_terrain, triangles: 300, name: hills, subdivisions: [0, 1, 2], "
+      "subdivision: loop}\n";
+  for (const Record& record : Run(Load(hills, methods))) {
+    EXPECT_FALSE(record["values"].contains("refined_map_rms_error"));
+  }
+  folder_.Write("flat.obj",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.4 0.5 0\n"
+                "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  const std::string flat = "  - {file: flat.obj, subdivisions: [1, 2]}\n";
+  for (const Record& record : Run(Load(flat, methods, rest))) {
+    EXPECT_LT(record["values"]["refined_map_max_error"], 1e-9) << record.dump();
+  }
+  const std::vector<Record> records = Run(Load(hills, methods, rest));
+  ASSERT_THAT(records, SizeIs(3));
+  for (int i = 0; i < 3; ++i) {
+    const auto& values = records[i]["values"];
+    EXPECT_LE(values["refined_map_rms_error"], values["refined_map_max_error"]);
+    if (i == 0) continue;
+    const auto& coarser = records[i - 1]["values"];
+    EXPECT_LT(values["refined_map_rms_error"],
+              0.7 * coarser["refined_map_rms_error"].get<double>());
+    EXPECT_NEAR(values["edge_length"], 0.5 * coarser["edge_length"].get<double>(), 0.01);
+  }
+  // What has a known map is compared with that; what has a seam with nothing.
+  for (const std::string generator : {"hemisphere", "blob"}) {
+    const std::string mesh = "  - {generator: " + generator + ", triangles: 300}\n";
+    EXPECT_FALSE(Run(Load(mesh, methods, rest)).at(0)["values"].contains("refined_map_rms_error"));
+  }
+}
+
 // The reference is timed beside the run and is no part of its time.
 TEST_F(RunExperimentKeys, ReferenceIsTimedOnRequest) {
   const std::string mesh = "  - {generator: bumpy_terrain, triangles: 2000}\n";

@@ -185,5 +185,145 @@ TEST_F(StudyTest, BadRecordsAreRefusedAndNothingIsWritten) {
   EXPECT_EQ(Study("scalign").exit_status, 2);
 }
 
+nlohmann::json EnergyRecord(double n, const std::string& solver, const std::string& outcome,
+                            int iterations) {
+  nlohmann::json record = ReportRecord("bumpy_terrain-" + std::to_string(n), "own," + solver, 1);
+  record["mesh"]["family"] = "bumpy_terrain";
+  record["mesh"]["triangles"] = n;
+  record["method"] = {{"name", "own,energy_solver=" + solver},
+                      {"energy", "circle_pattern"},
+                      {"energy_solver", solver},
+                      {"energy_start", "own"}};
+  record["outcome"] = outcome;
+  record["cpu_seconds"] = solver == "newton" ? 1e-6 * n : 3e-6 * n;
+  record["values"] = {{"energy_iterations", iterations},
+                      {"energy_factorizations", iterations},
+                      {"energy_value", 1.5},
+                      {"energy_difference", 1e-12}};
+  return record;
+}
+
+TEST_F(StudyTest, EnergiesCountWhoEndsAtTheMinimum) {
+  std::vector<nlohmann::json> records;
+  for (const double n : {1e3, 1e4, 1e5}) {
+    records.push_back(EnergyRecord(n, "newton", "ok", 4));
+    records.push_back(EnergyRecord(n, "newton_cg", n < 1e5 ? "ok" : "not_converged", 9));
+    records.push_back(EnergyRecord(n, "ceres_trust_region", "unsupported", 0));
+  }
+  const std::string page = Page("energies", records);
+  EXPECT_THAT(page, HasSubstr("`newton` 3 of 3, `newton_cg` 2 of 3."));
+  EXPECT_THAT(page, HasSubstr("| `newton_cg` | 2 of 3 | 9 (9 to 9) | 9 |"));
+  EXPECT_THAT(page, HasSubstr("| 3 (-inf to inf) |"));
+  EXPECT_THAT(page, HasSubstr("| `ceres LM` | no such form |"));
+  EXPECT_THAT(page, HasSubstr("to the power 1.00"));
+  EXPECT_THAT(page, HasSubstr("\"energy_value\": 1.5"));
+}
+
+TEST_F(StudyTest, ConesAreComparedAtEqualBudgets) {
+  std::vector<nlohmann::json> records;
+  for (int mesh = 0; mesh < 7; ++mesh) {
+    nlohmann::json none = ReportRecord("m" + std::to_string(mesh), "none", 1);
+    none["method"]["cone_budget"] = -1;
+    none["values"]["log_area_ratio_l2"] = 2;
+    none["cpu_seconds"] = 1;
+    records.push_back(none);
+    const std::pair<const char*, double> methods[] = {
+        {"curvature_peaks", 1}, {"greedy", 0.5},   {"l1", 0.6},   {"reweighted", 0.6},
+        {"moving", 0.25},       {"refined", 0.25}, {"angle", 0.8}};
+    for (const auto& [name, area] : methods) {
+      nlohmann::json record = none;
+      record["method"] = {{"name", std::string(name) + ",cone_budget=8"}, {"cone_budget", 8}};
+      record["values"]["log_area_ratio_l2"] = area;
+      record["cpu_seconds"] = std::string(name) == "moving" ? 4 : 2;
+      records.push_back(record);
+    }
+  }
+  const std::string page = Page("cones", records);
+  EXPECT_THAT(page, HasSubstr("On 7 meshes: with 8 cones `moving` has the least area distortion on "
+                              "7 of 7 meshes, 0.12 of the distortion without cones, for 2 times"));
+  EXPECT_THAT(page, HasSubstr("| `curvature_peaks` | 7 of 7 | 1.0000 | 2 (2 to 2) | 0 of 7 |"));
+  EXPECT_THAT(page, HasSubstr("`moving` has 0.5 (0.5 to 0.5) times the figure of its start"));
+  EXPECT_THAT(page, HasSubstr("no different within a thousandth on 7, worse on 0."));
+}
+
+TEST_F(StudyTest, ConvergenceFindsTheOrderOfEverySurface) {
+  std::vector<nlohmann::json> records;
+  for (const std::string boundary : {" boundary=known_map", ""}) {
+    for (const double h : {0.1, 0.05, 0.025}) {
+      nlohmann::json record =
+          ReportRecord("cap" + boundary + std::to_string(h), "free,angle_objective=entropy", 1);
+      record["mesh"]["family"] = "cap" + boundary;
+      record["mesh"]["source"] = "spherical_cap triangles=100 seed=1" + boundary;
+      record["method"]["angle_objective"] = "entropy";
+      const double order = boundary.empty() ? 1 : 2;
+      record["values"] = {{"edge_length", h},
+                          {"known_map_rms_error", std::pow(h, order)},
+                          {"known_map_max_error", 2 * std::pow(h, order)},
+                          {"quasi_conformal_mean", 1 + h}};
+      records.push_back(record);
+      record["mesh"]["name"] = "limit" + record["mesh"]["name"].get<std::string>();
+      record["mesh"]["family"] = "limit" + boundary;
+      record["values"]["refined_map_rms_error"] = std::pow(h, 1.5);
+      record["values"]["refined_map_max_error"] = std::pow(h, 1.5);
+      if (boundary.empty()) records.push_back(record);
+    }
+  }
+  const std::string page = Page("convergence", records);
+  EXPECT_THAT(page, HasSubstr("Known map, its boundary angles: second order at least, the median "
+                              "order in the mean square is 2.00"));
+  EXPECT_THAT(page, HasSubstr("Known map, free boundary: first order at least"));
+  EXPECT_THAT(page, HasSubstr("Smooth limit: first order at least, the median order in the mean "
+                              "square is 1.50"));
+  EXPECT_THAT(page, HasSubstr("1 of 1 sequences come nearer"));
+}
+
+TEST_F(StudyTest, PeersAreComparedWithOurProcess) {
+  std::vector<nlohmann::json> records;
+  for (int mesh = 0; mesh < 6; ++mesh) {
+    for (const std::string program : {"circle_patterns", "bff"}) {
+      nlohmann::json record =
+          ReportRecord("m" + std::to_string(mesh), program, program == "bff" ? 3 : 1);
+      record["method"] = {{"name", program}, {"peer", {program, "{in}", "{out}"}}};
+      record["cpu_seconds"] = 1;
+      record["peak_memory_mib"] = 50;
+      record["values"]["flipped_triangles"] = program == "bff" && mesh == 0 ? 2 : 0;
+      if (program == "bff" && mesh == 0) record["outcome"] = "invalid_map";
+      records.push_back(record);
+    }
+  }
+  const std::string page = Page("peers", records);
+  EXPECT_THAT(page, HasSubstr("`circle_patterns` maps 6 of 6 meshes, none with a flipped triangle; "
+                              "`bff` maps 5 of 6 meshes, with 1 times the mean quasi-conformal "
+                              "distortion less 1 and 3 times the time"));
+  EXPECT_THAT(page, HasSubstr("| `bff` | 5 ok, 1 invalid_map | 1 |"));
+}
+
+nlohmann::json DiskRecord(const std::string& mesh, const std::string& group, double distortion) {
+  nlohmann::json record = ReportRecord(mesh, group, 1);
+  record["values"].update({{"quasi_conformal_mean", 1 + distortion},
+                           {"flipped_triangles", 0},
+                           {"radii_gradient", 1e-12},
+                           {"angle_gap", 1e-13},
+                           {"angle_factorizations", 3}});
+  return record;
+}
+
+TEST_F(StudyTest, DisksAndSurfacesSayWhatIsNotMapped) {
+  std::vector<nlohmann::json> records = {
+      DiskRecord("a", "input", 0.4), DiskRecord("a", "delaunay", 0.1),
+      DiskRecord("b", "input", 0.4), DiskRecord("b", "delaunay", 0.2)};
+  EXPECT_THAT(Page("disks", records),
+              HasSubstr("Yes: 4 of 4 runs on 2 disks end in a map. 0 triangles"));
+  EXPECT_THAT(Page("disks", records), HasSubstr("leave 0.38 times"));
+  records.resize(1);
+  records.push_back(DiskRecord("c", "input", 4));
+  records.push_back(DiskRecord("lost", "input", 4));
+  records.back()["outcome"] = "infeasible";
+  const std::string page = Page("surfaces", records);
+  EXPECT_THAT(page,
+              HasSubstr("2 of 3 surfaces are mapped; the others say why: lost (infeasible)."));
+  EXPECT_THAT(page, HasSubstr("above 2 on 1: c."));
+}
+
 }  // namespace
 }  // namespace cirque

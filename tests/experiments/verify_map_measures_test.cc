@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/verify_map/measures.h"
+#include "experiments/common/judged_measures.h"
 #include "tests/verify/fixtures.h"
 
 namespace cirque::verify {

@@ -1,11 +1,15 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cirque/generators/generators.h"
+#include "cirque/io/io.h"
 
 #include "experiments/run_experiment/results/record.h"
 #include "tests/common/paths.h"
@@ -58,12 +62,13 @@ std::map<std::string, Record> Records(const std::string& text) {
   return records;
 }
 
-TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
-  const TemporaryFolder folder;
-  const std::string config = folder.Write("study.yaml", kConfig);
+/// Runs the config as an array of tasks of which the first is killed and queued again, and here: both
+/// end with the same records, and what the killed task had recorded was kept.
+void ExpectArrayFindsWhatTheLocalRunFinds(const TemporaryFolder& folder, const std::string& config,
+                                          int tasks, std::size_t runs) {
   const std::string program = ProgramFolder() + "/run_experiment";
   const ProgramResult array = Shell(ProjectPath("tests/slurm/run_array") + " " + folder.path() +
-                                    " " + config + " " + program);
+                                    " " + config + " " + program + " " + std::to_string(tasks));
   if (array.exit_status == kSkipped) GTEST_SKIP() << array.output;
   std::printf("%s", array.output.c_str());
   ASSERT_EQ(array.exit_status, 0) << folder.Read("logs/1.log") << folder.Read("logs/2.log");
@@ -73,8 +78,8 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
 
   const auto found = Records(folder.Read("results/results.jsonl"));
   const auto expected = Records(folder.Read("local/results.jsonl"));
-  ASSERT_EQ(expected.size(), kRuns);
-  ASSERT_EQ(found.size(), kRuns);
+  ASSERT_EQ(expected.size(), runs);
+  ASSERT_EQ(found.size(), runs);
   for (const auto& [key, record] : expected) {
     ASSERT_TRUE(found.contains(key));
     for (const char* part :
@@ -82,12 +87,47 @@ TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
       EXPECT_EQ(found.at(key)[part], record[part]) << key << " " << part;
     }
   }
-  // What the killed task had recorded was kept, and nothing was made twice.
+  // Nothing was made twice.
   const auto kept = Records(folder.Read("before_requeue.jsonl"));
-  const auto first = Records(folder.Read("results/results.shard-1-of-2.jsonl"));
+  const auto first =
+      Records(folder.Read("results/results.shard-1-of-" + std::to_string(tasks) + ".jsonl"));
   EXPECT_GE(kept.size(), 1u);
   EXPECT_LT(kept.size(), first.size());
   for (const auto& [key, record] : kept) EXPECT_EQ(first.at(key), record);
+}
+
+TEST(SlurmSlow, AnArrayWithAKilledTaskFindsWhatTheLocalRunFinds) {
+  const TemporaryFolder folder;
+  ExpectArrayFindsWhatTheLocalRunFinds(folder, folder.Write("study.yaml", kConfig), 2, kRuns);
+}
+
+constexpr int kCorpus = 100;
+
+/// That many mesh files of every topology and format.
+void WriteCorpus(const std::string& folder) {
+  const char* generators[] = {"bumpy_terrain", "torus", "blob", "annulus", "double_torus"};
+  const char* formats[] = {"obj", "off", "ply", "stl"};
+  std::filesystem::create_directories(folder);
+  for (int i = 0; i < kCorpus; ++i) {
+    GeneratorOptions options;
+    options.triangles = 800 + 20 * i;
+    options.seed = static_cast<unsigned>(i + 1);
+    const auto mesh = GenerateMesh(generators[i % 5], options);
+    ASSERT_TRUE(mesh.ok()) << mesh.status().message();
+    const std::string name =
+        std::string(generators[i % 5]) + std::to_string(i) + "." + formats[i / 5 % 4];
+    ASSERT_TRUE(WriteMesh(folder + "/" + name, *mesh).ok()) << name;
+  }
+}
+
+TEST(SlurmSlow, ACorpusOfAHundredMeshesInFourShardsIsTheLocalRun) {
+  const TemporaryFolder folder;
+  WriteCorpus(folder.Path("corpus"));
+  const std::string config = folder.Write(
+      "corpus.yaml",
+      "question: Does a cluster find what one machine finds?\nmeshes:\n  - {corpus: " +
+          folder.Path("corpus") + ", where: triangles > 10}\nmethods:\n  - name: default\n");
+  ExpectArrayFindsWhatTheLocalRunFinds(folder, config, 4, kCorpus);
 }
 
 TEST(SlurmScript, PrintsAnArrayThatIsQueuedAgain) {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/studies/solver_problem.h"
+#include "experiments/common/solver_problem.h"
 #include "tests/common/surfaces.h"
 #include "tests/solver/strategy_fixtures.h"
 

@@ -7,7 +7,7 @@
 
 #include "cirque/solver/ceres_strategies.h"
 
-#include "experiments/studies/solver_problem.h"
+#include "experiments/common/solver_problem.h"
 #include "tests/common/surfaces.h"
 #include "tests/solver/strategy_fixtures.h"
 

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "experiments/common/map_view/map_payload.h"
+#include "experiments/common/map_view/sha256.h"
+
 namespace cirque {
 
 std::string Escape(std::string_view text) {
@@ -44,10 +47,28 @@ std::string ShownNumber(double value) {
   return fmt::format("{:.4g}", value);
 }
 
+namespace {
+
+/// What the page may do: run these scripts, draw, save pictures; it loads and sends nothing.
+std::string ContentPolicy(const std::vector<PageScript>& scripts) {
+  std::string allowed;
+  for (const PageScript& script : scripts) {
+    const auto digest = Sha256(script.text);
+    allowed += " 'sha256-" + Base64({digest.begin(), digest.end()}) + "'";
+  }
+  return "default-src 'none'; script-src" + (allowed.empty() ? " 'none'" : allowed) +
+         "; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'";
+}
+
+}  // namespace
+
 std::string PageHtml(const std::string& title, const std::string& body, const nlohmann::json& data,
                      const std::vector<PageScript>& scripts) {
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      ContentPolicy(scripts) +
+      "\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<link rel=\"icon\" href=\"data:,\">\n";

@@ -24,7 +24,8 @@ struct PageScript {
 };
 
 /// A document that needs nothing else: light or dark as the reader has it. `data` is for the element
-/// "data", where scripts find it.
+/// "data", where scripts find it. A content-security policy lets these scripts run, by their digests,
+/// and no other, and loads nothing from anywhere.
 std::string PageHtml(const std::string& title, const std::string& body, const nlohmann::json& data,
                      const std::vector<PageScript>& scripts);
 
@@ -32,5 +33,6 @@ std::string PageHtml(const std::string& title, const std::string& body, const nl
 extern const std::string_view kStyle;
 extern const std::string_view kViewerHtml;
 extern const std::string_view kViewerScript;
+extern const std::string_view kSaveFileScript;
 
 }  // namespace cirque

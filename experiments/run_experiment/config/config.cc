@@ -11,6 +11,7 @@
 #include "experiments/run_experiment/config/config_text.h"
 #include "experiments/run_experiment/config/entries.h"
 #include "experiments/run_experiment/config/file_content.h"
+#include "experiments/run_experiment/config/peer_programs.h"
 #include "experiments/run_experiment/config/schema.h"
 #include "experiments/run_experiment/config/yaml_document.h"
 
@@ -87,7 +88,9 @@ void Fill(const YAML::Node& document, Diagnostics* problems, ExperimentConfig* c
   MeshEntries entries = ResolveMeshes(document["meshes"], root, seeds, problems);
   if (!problems->empty()) return;
   config->figures = ReadFigures(document["figures"], problems);
-  const std::vector<MethodSpec> methods = ReadMethods(document["methods"], root, problems);
+  std::vector<MethodSpec> methods = ReadMethods(document["methods"], root, problems);
+  const auto peers = ReadPeers(document["peer"], root, problems, &entries.notes);
+  methods.insert(methods.end(), peers.begin(), peers.end());
   const int repeats = static_cast<int>(*ParseInteger(TextOr(document, "repeats", "1")));
   const double count = static_cast<double>(entries.meshes.size() * methods.size()) * repeats;
   if (count > kMaxRuns) {

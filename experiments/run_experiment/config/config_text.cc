@@ -108,6 +108,11 @@ std::vector<YAML::Node> ItemsOf(const YAML::Node& value) {
   return {value.begin(), value.end()};
 }
 
+std::vector<YAML::Node> EntriesOf(const YAML::Node& section) {
+  if (section && section.IsMap()) return {section};
+  return ItemsOf(section);
+}
+
 std::vector<std::string> DistinctItems(const YAML::Node& value, Diagnostics* problems) {
   std::vector<std::string> texts;
   std::set<std::string> seen;

@@ -51,6 +51,9 @@ std::vector<YAML::Node> ItemsOf(const YAML::Node& value);
 /// Their texts. One that stands there twice is a problem.
 std::vector<std::string> DistinctItems(const YAML::Node& value, Diagnostics* problems);
 
+/// The maps of a section: of a list of them, or the one that stands in place of a list.
+std::vector<YAML::Node> EntriesOf(const YAML::Node& section);
+
 /// The text of a key's value, or `otherwise` where the key is not given.
 std::string TextOr(const YAML::Node& map, const char* key, const std::string& otherwise);
 

@@ -11,6 +11,7 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/domain.h"
 
+#include "experiments/run_experiment/config/energy_methods.h"
 #include "experiments/run_experiment/config/mesh_sources.h"
 #include "experiments/run_experiment/config/method_files.h"
 #include "experiments/run_experiment/config/quantities.h"
@@ -47,6 +48,12 @@ MethodSpec MakeMethod(const std::string& name, const Combination& combination) {
       method.domain = value;
     } else if (key == "exact") {
       method.options.exact = value == "true";
+    } else if (key == "energy") {
+      method.trial.energy = value;
+    } else if (key == "energy_solver") {
+      method.trial.solver = value;
+    } else if (key == "energy_start") {
+      method.trial.start = value;
     } else {
       given[key] = value;
     }
@@ -124,6 +131,7 @@ std::vector<MethodSpec> ReadMethods(const YAML::Node& list, const std::string& r
       problems->Add(PlaceOf(name), fmt::format("two methods are named '{}' (first on line {})",
                                                name.Scalar(), first->second.line));
     }
+    CheckEnergyEntry(entry, problems);
     const std::vector<Axis> axes = AxesOf(entry, ConfigSchema(), "methods");
     for (const Axis& axis : axes) {
       if (axis.key != "domain") continue;

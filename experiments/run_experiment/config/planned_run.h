@@ -28,10 +28,25 @@ struct MeshSpec {
   std::string Source() const;
 };
 
+/// An energy that is minimised by itself, in place of a map that is made.
+struct EnergyTrial {
+  std::string energy;             ///< a name of Energies(); empty: a map is made
+  std::string solver = "newton";  ///< NAME or NAME:KEY=VALUE,... of SolverStrategies()
+  std::string start = "own";      ///< a name of EnergyStarts()
+
+  bool IsAskedFor() const { return !energy.empty(); }
+};
+
 struct MethodSpec {
   std::string name;  ///< unique within a config
   ParameterizeOptions options;
   std::string domain = "plane";  ///< a name of Domains()
+  EnergyTrial trial = {};        ///< of the options only epsilon counts beside it
+  /// Another program that makes the map: its path and arguments, of which {in} and {out} stand for
+  /// files. Empty: this one.
+  std::vector<std::string> peer = {};
+
+  bool MakesMapItself() const { return !trial.IsAskedFor() && peer.empty(); }
 };
 
 /// What a run may take before it is ended; 0: anything.
@@ -49,6 +64,8 @@ struct PlannedRun {
   RunLimits limits = {};
   bool keep_map = false;   ///< whether the mesh with its map is written to maps/
   bool reference = false;  ///< whether the reference factorization is timed beside the run
+  /// Whether the map is also compared with that of the surface subdivided once more.
+  bool against_refined = false;
 
   /// "mesh/method", and "#2" for a second repeat: what `--only` searches and `--dry_run` lists.
   std::string Label() const;

@@ -9,6 +9,8 @@
 #include "cirque/pipeline/certificate.h"
 #include "cirque/pipeline/options.h"
 
+#include "experiments/run_experiment/config/energy_figures.h"
+
 namespace cirque {
 namespace {
 
@@ -30,8 +32,21 @@ const std::vector<Quantity>& OwnQuantities() {
       {"edge_length", "/values/edge_length", "edge length over diameter"},
       {"known_map_rms_error", "/values/known_map_rms_error", "rms distance from the known map"},
       {"known_map_max_error", "/values/known_map_max_error", "distance from the known map"},
+      {"refined_map_rms_error", "/values/refined_map_rms_error",
+       "rms distance from the refined surface's map"},
+      {"refined_map_max_error", "/values/refined_map_max_error",
+       "distance from the refined surface's map"},
   };
   return kTable;
+}
+
+/// Those of runs that minimise an energy.
+std::vector<Quantity> EnergyQuantities() {
+  std::vector<Quantity> table;
+  for (const EnergyFigure& figure : EnergyFigures()) {
+    table.push_back({figure.name, "/values/" + figure.name, figure.label});
+  }
+  return table;
 }
 
 /// A name as people write it.
@@ -42,6 +57,8 @@ std::string Spaced(std::string name) {
 
 std::vector<Quantity> MakeQuantities() {
   std::vector<Quantity> table = OwnQuantities();
+  const std::vector<Quantity> of_energies = EnergyQuantities();
+  table.insert(table.end(), of_energies.begin(), of_energies.end());
   // What runs and methods call so themselves comes first.
   std::set<std::string> names;
   for (const Quantity& quantity : table) names.insert(quantity.name);
@@ -70,7 +87,10 @@ std::vector<Quantity> MakeGroups() {
                                  {"mesh_family", "/mesh/family", "mesh"},
                                  {"method", "/method/name", "method"},
                                  {"domain", "/method/domain", "domain"},
-                                 {"overlap", "/overlap", "overlap"}};
+                                 {"overlap", "/overlap", "overlap"},
+                                 {"energy", "/method/energy", "energy"},
+                                 {"energy_solver", "/method/energy_solver", "strategy"},
+                                 {"energy_start", "/method/energy_start", "start"}};
   for (const std::string& option : ParameterizeOptionTable().Names()) {
     table.push_back({option, "/method/" + option, Spaced(option)});
   }

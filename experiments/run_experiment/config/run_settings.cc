@@ -66,12 +66,14 @@ void ApplyRunSettings(const YAML::Node& document, bool some_skipped, Diagnostics
   const RunLimits limits = {NumberOrZero(document["time_limit"]),
                             NumberOrZero(document["memory_limit"])};
   const auto keep = ItemsOf(document["keep_maps"]);
-  const bool reference = document["reference"] && document["reference"].Scalar() == "true";
+  const bool reference = TextOr(document, "reference", "false") == "true";
+  const bool against_refined = TextOr(document, "against_refined", "false") == "true";
   for (PlannedRun& run : runs) {
     run.measures = measures;
     run.limits = limits;
     run.keep_map = IsNamed(keep, run);
     run.reference = reference;
+    run.against_refined = against_refined;
   }
 }
 

@@ -7,6 +7,8 @@
 #include "cirque/domains/map_options.h"
 #include "cirque/metrics/measure_map.h"
 
+#include "experiments/run_experiment/config/energy_methods.h"
+#include "experiments/run_experiment/config/peer_programs.h"
 #include "experiments/run_experiment/config/planned_run.h"
 #include "experiments/run_experiment/config/quantities.h"
 
@@ -55,6 +57,8 @@ Schema MethodSchema() {
                     .help = "whether the exact map is made too, whose figures are called exact_...",
                     .default_text = "false",
                     .matrix = true}};
+  const Schema of_energies = EnergyFields();
+  schema.insert(schema.end(), of_energies.begin(), of_energies.end());
   for (const OptionInfo& option : ParameterizeOptionTable().Infos()) {
     schema.push_back(ForMethod(option));
   }
@@ -102,6 +106,14 @@ Schema RunFields() {
       {.path = "reference",
        .kind = kBoolean,
        .help = "whether every run also times one factorization of its mesh's cotangent Laplacian",
+       .default_text = "false"},
+      {.path = "against_refined",
+       .kind = kBoolean,
+       .help =
+           "whether maps of disks to the plane, whose smooth map no generator knows, are also "
+           "compared with that of the surface subdivided once more, as the mesh's `subdivision` "
+           "says: refined_map_rms_error and refined_map_max_error, at the vertices that both have, "
+           "after the best similarity. The run's time is that of both",
        .default_text = "false"},
       {.path = "measures",
        .help = "further figures of every map: columns of the results",
@@ -162,6 +174,7 @@ Schema MakeSchema() {
         .help = "how each surface is parameterized",
         .required = true}});
   add(MethodSchema());
+  add(PeerFields());
   add(RunFields());
   add({{.path = "figures",
         .kind = kSections,

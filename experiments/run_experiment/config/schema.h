@@ -25,7 +25,7 @@ struct SchemaField {
   std::string default_text = {};  ///< as it would be written; empty: none
   bool required = false;
   bool matrix = false;  ///< a list of values makes one run for each
-  bool list = false;    ///< a list of values is one value
+  bool list = false;    ///< a list of values is one value; of sections: or one map is
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices = {};  ///< the texts allowed; empty: any

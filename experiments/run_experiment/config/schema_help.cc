@@ -72,8 +72,8 @@ The folder `output` holds
 
 - `results.jsonl`: one JSON object a run, appended when it ends: `key` (a hash of mesh content, method
   and code; finished keys are not run again), `mesh`, `method`, `repeat`, `outcome`, `message`,
-  `overlap`, `values`, `seconds`, `history` (max |gradient| by iteration of the solves `angles` and
-  `radii`), `peak_memory_mib`, `limits`, `map`, `provenance` (commit, config and its hash, libraries,
+  `overlap`, `values`, `seconds`, `history` (max |gradient| by iteration of the solves `angles`,
+  `radii`, `scales` and `energy`), `peak_memory_mib`, `limits`, `map`, `provenance` (commit, config and its hash, libraries,
   CPU, threads, start).
 - `results.csv`: the same as a table.
 - `certificates/KEY.json`: the infeasibility certificate of a run; `maps/KEY.obj`, `maps/KEY.certificate.json`:

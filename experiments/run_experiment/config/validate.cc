@@ -125,6 +125,8 @@ void Validator::CheckValue(const YAML::Node& value, Place place, const SchemaFie
   } else if (value.IsSequence() &&
              (field.matrix || field.list || field.kind == FieldKind::kSections)) {
     CheckList(value, place, field);
+  } else if (value.IsMap() && field.kind == FieldKind::kSections && field.list) {
+    CheckMap(value, field.path);
   } else if (value.IsScalar() && field.kind != FieldKind::kSections) {
     CheckScalar(value, field);
   } else {

@@ -23,6 +23,10 @@ std::vector<Column> MakeFixedColumns() {
       {"triangles", "/mesh/triangles", "triangles", ""},
       {"method", "/method/name", "method", ""},
       {"domain", "/method/domain", "", ""},
+      {"energy", "/method/energy", "", ""},
+      {"energy_solver", "/method/energy_solver", "", ""},
+      {"energy_start", "/method/energy_start", "", ""},
+      {"peer", "/method/peer", "", ""},
   };
   for (const std::string& option : ParameterizeOptionTable().Names()) {
     columns.push_back({option, "/method/" + option, "", ""});
@@ -49,6 +53,10 @@ std::vector<Column> MakeFixedColumns() {
       {"edge_length", "/values/edge_length", "edge", "{:.4f}"},
       {"known_map_rms_error", "/values/known_map_rms_error", "map rms", "{:.2e}"},
       {"known_map_max_error", "/values/known_map_max_error", "map max", "{:.2e}"},
+      {"energy_iterations", "/values/energy_iterations", "iterations", "{:.0f}"},
+      {"energy_factorizations", "/values/energy_factorizations", "factorizations", "{:.0f}"},
+      {"energy_gradient", "/values/energy_gradient", "gradient", "{:.1e}"},
+      {"energy_difference", "/values/energy_difference", "difference", "{:.1e}"},
       {"map", "/map", "", ""},
       {"started", "/provenance/started", "", ""},
       {"config", "/provenance/config", "", ""},

@@ -1,6 +1,7 @@
 #include "experiments/run_experiment/results/record.h"
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -58,7 +59,20 @@ StatusOr<std::string> HashOfFile(const std::string& path) {
 }  // namespace
 
 nlohmann::json MethodJson(const MethodSpec& method) {
-  nlohmann::json json = {{"name", method.name}, {"domain", method.domain}};
+  nlohmann::json json = {{"name", method.name}};
+  if (!method.peer.empty()) {
+    json["peer"] = method.peer;
+    return json;
+  }
+  if (method.trial.IsAskedFor()) {
+    const auto& [energy, solver, start] = method.trial;
+    json.update({{"energy", energy},
+                 {"energy_solver", solver},
+                 {"energy_start", start},
+                 {"epsilon", method.options.epsilon}});
+    return json;
+  }
+  json["domain"] = method.domain;
   for (const auto& option : ParameterizeOptionTable().options()) {
     json[option.info().name] = std::visit([](const auto& value) { return nlohmann::json(value); },
                                           option.Get(method.options));
@@ -82,6 +96,7 @@ std::string RunKey(const PlannedRun& run, const std::string& mesh_hash,
   if (run.mesh.decimate > 0) determined_by["decimate"] = run.mesh.decimate;
   if (run.mesh.repair != MeshSpec().repair) determined_by["repair"] = run.mesh.repair;
   if (run.reference) determined_by["reference"] = true;
+  if (run.against_refined) determined_by["against_refined"] = true;
   return HashOf(ToLine(determined_by));
 }
 
@@ -123,6 +138,9 @@ Record MakeRecord(const std::string& key, const PlannedRun& run, const LocatedMe
   if (certificate.equivalence) {
     record["history"]["scales"] = NumbersJson(certificate.equivalence->gradients);
   }
+  if (!result.energy_gradients.empty()) {
+    record["history"]["energy"] = NumbersJson(result.energy_gradients);
+  }
   if (const auto limits = LimitsJson(run.limits); !limits.empty()) record["limits"] = limits;
   // As it will be read back: bytes that are no UTF-8 are replaced now, so that every output agrees.
   return Record::parse(ToLine(record));
@@ -145,7 +163,8 @@ bool IsFinished(const Record& record, const PlannedRun& run) {
 
 bool IsSettled(const Record& record) {
   const std::string outcome = OutcomeOf(record);
-  return outcome == ToString(StatusCode::kOk) || outcome == ToString(StatusCode::kInfeasible);
+  return outcome == ToString(StatusCode::kOk) || outcome == ToString(StatusCode::kInfeasible) ||
+         outcome == kUnsupported;
 }
 
 StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
@@ -156,6 +175,12 @@ StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method) {
     *path = *hash;
     return Status();
   };
+  // A program, and a script that it is to run, is what its file holds, wherever that lies.
+  for (std::string& word : by_content.peer) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(word, error)) continue;
+    if (Status s = hash_it("peer", &word); !s.ok()) return s;
+  }
   const Status status = ForEachFile(hash_it, &by_content.options);
   return status.ok() ? StatusOr<nlohmann::json>(MethodJson(by_content)) : status;
 }

@@ -12,10 +12,9 @@
 
 namespace cirque {
 
-/// Outcomes beside those of StatusCode: the run threw, its process ended without a record, was
-/// killed by somebody else (a user, the system short of memory), or was ended at a limit.
-inline constexpr char kException[] = "exception", kCrash[] = "crash", kKilled[] = "killed",
-                      kTimeLimit[] = "time_limit", kMemoryLimit[] = "memory_limit";
+/// Outcomes beside those of StatusCode and of carry_out.h: the run threw, its process ended without a
+/// record, or was killed by somebody else (a user, the system short of memory).
+inline constexpr char kException[] = "exception", kCrash[] = "crash", kKilled[] = "killed";
 
 /// One run as one self-contained object of results.jsonl.
 using Record = nlohmann::json;
@@ -42,11 +41,12 @@ std::string OutcomeOf(const Record& record);
 /// where the run keeps it.
 bool IsFinished(const Record& record, const PlannedRun& run);
 
-/// Whether the run ended as it should: in a map, or in an infeasibility certificate.
+/// Whether the run ended as it should: in a map or a minimum, in an infeasibility certificate, or with
+/// a strategy that has no such form of the energy.
 bool IsSettled(const Record& record);
 
-/// A method with every option, files (of edge costs, of cones) by the hash of what they hold
-/// instead of by name. Error (invalid input): such a file cannot be read.
+/// A method with every option, files (of edge costs, of cones, programs) by the hash of what they
+/// hold instead of by name. Error (invalid input): such a file cannot be read.
 StatusOr<nlohmann::json> MethodByContent(const MethodSpec& method);
 
 }  // namespace cirque

@@ -30,7 +30,36 @@ const std::vector<ObjectiveSources>& OwnSources() {
   return kTable;
 }
 
+bool BeginsWithOneOf(std::string_view path, std::span<const std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return path.starts_with(beginning); });
+}
+
+/// What only minimises energies, and what only judges other programs' maps.
+constexpr std::string_view kOfEnergies[] = {"experiments/common/solver_problem.",
+                                            "experiments/run_experiment/config/energy_figures.",
+                                            "experiments/run_experiment/run/energy_run."};
+constexpr std::string_view kOfPeers[] = {"framework/cirque/verify/",
+                                         "experiments/common/judged_measures.",
+                                         "experiments/run_experiment/run/peer_run."};
+/// What else another program's run is made by: meshes are read and maps are measured.
+constexpr std::string_view kAlsoOfPeers[] = {"framework/cirque/core/",
+                                             "framework/cirque/io/",
+                                             "framework/cirque/math/",
+                                             "framework/cirque/mesh/",
+                                             "framework/cirque/generators/",
+                                             "framework/cirque/metrics/",
+                                             "experiments/"};
+
 bool IsUsedBy(const MethodSpec& method, std::string_view path) {
+  const bool is_of_energies = BeginsWithOneOf(path, kOfEnergies);
+  const bool is_of_peers = BeginsWithOneOf(path, kOfPeers);
+  if (!method.peer.empty()) {
+    return is_of_peers || (!is_of_energies && BeginsWithOneOf(path, kAlsoOfPeers));
+  }
+  if (is_of_peers) return false;
+  if (method.trial.IsAskedFor()) return true;
+  if (is_of_energies) return false;
   const std::string& objective = method.options.angle_objective;
   for (const ObjectiveSources& own : OwnSources()) {
     if (!path.starts_with(own.beginning)) continue;

@@ -58,10 +58,33 @@ struct Streams {
   int input, output, errors;
 };
 
+double SecondsOf(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Of one process now [MiB]; 0 where there is none.
+double ResidentMibOf(pid_t pid) {
+  std::ifstream statm(fmt::format("/proc/{}/statm", pid));
+  double size = 0, resident = 0;
+  if (!(statm >> size >> resident)) return 0;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+/// The same with all that it has started and what these have; `depth` bounds the way down.
+double FamilyMib(pid_t pid, int depth) {
+  double sum = ResidentMibOf(pid);
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", pid));
+  for (pid_t child; depth > 0 && children >> child;) sum += FamilyMib(child, depth - 1);
+  return sum;
+}
+
+constexpr int kDeepestFamily = 8;
+
 /// Between fork and exec: system calls only.
 [[noreturn]] void BecomeProgram(char* const* arguments, char* const* environment, pid_t parent,
-                                const Streams& streams) {
+                                const Streams& streams, bool own_group) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (own_group) setpgid(0, 0);
   if (getppid() != parent) _exit(kCannotExec);
   signal(SIGINT, SIG_IGN);
   signal(SIGTERM, SIG_IGN);
@@ -75,10 +98,11 @@ struct Streams {
 }  // namespace
 
 StatusOr<ChildProcess> ChildProcess::Start(const std::vector<std::string>& command,
-                                           const std::string& input) {
+                                           const std::string& input, Kin kin) {
   std::vector<std::string> arguments = command, environment = ChildEnvironment();
   const std::vector<char*> argv = Pointers(&arguments), envp = Pointers(&environment);
   ChildProcess child;
+  child.kin_ = kin;
   child.output_ = MakeMemoryFile();
   child.errors_ = MakeMemoryFile();
   const int input_file = MakeMemoryFile();
@@ -86,7 +110,8 @@ StatusOr<ChildProcess> ChildProcess::Start(const std::vector<std::string>& comma
   const pid_t parent = getpid();
   if (ready) child.pid_ = fork();
   if (child.pid_ == 0) {
-    BecomeProgram(argv.data(), envp.data(), parent, {input_file, child.output_, child.errors_});
+    BecomeProgram(argv.data(), envp.data(), parent, {input_file, child.output_, child.errors_},
+                  kin == Kin::kWithOwnChildren);
   }
   const int error = errno;
   if (input_file >= 0) close(input_file);
@@ -100,6 +125,8 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept { *this = std::move(ot
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
   std::swap(pid_, other.pid_);
   std::swap(status_, other.status_);
+  std::swap(usage_, other.usage_);
+  std::swap(kin_, other.kin_);
   std::swap(output_, other.output_);
   std::swap(errors_, other.errors_);
   std::swap(timer_, other.timer_);
@@ -115,7 +142,7 @@ ChildProcess::~ChildProcess() {
 
 bool ChildProcess::HasEnded() {
   if (pid_ <= 0) return true;
-  const pid_t ended = waitpid(pid_, &status_, WNOHANG);
+  const pid_t ended = wait4(pid_, &status_, WNOHANG, &usage_);
   // Of a child that was reaped elsewhere nothing but its output tells.
   if (ended == pid_ || (ended < 0 && errno == ECHILD)) pid_ = -1;
   return pid_ <= 0;
@@ -123,19 +150,23 @@ bool ChildProcess::HasEnded() {
 
 void ChildProcess::Kill() {
   if (pid_ <= 0) return;
+  if (kin_ == Kin::kWithOwnChildren) kill(-pid_, SIGKILL);  // no such group yet: it is alone
   kill(pid_, SIGKILL);
-  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+  while (wait4(pid_, &status_, 0, &usage_) < 0 && errno == EINTR) {
   }
   pid_ = -1;
 }
 
 double ChildProcess::ResidentMib() const {
   if (pid_ <= 0) return 0;
-  std::ifstream statm(fmt::format("/proc/{}/statm", pid_));
-  double size = 0, resident = 0;
-  if (!(statm >> size >> resident)) return 0;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+  return kin_ == Kin::kAlone ? ResidentMibOf(pid_) : FamilyMib(pid_, kDeepestFamily);
 }
+
+double ChildProcess::CpuSeconds() const {
+  return SecondsOf(usage_.ru_utime) + SecondsOf(usage_.ru_stime);
+}
+
+double ChildProcess::PeakMib() const { return static_cast<double>(usage_.ru_maxrss) / 1024; }
 
 bool ChildProcess::WasKilled() const {
   return WIFSIGNALED(status_) && (WTERMSIG(status_) == SIGKILL || WTERMSIG(status_) == SIGTERM);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <string>
@@ -16,9 +17,12 @@ namespace cirque {
 /// says otherwise.
 class ChildProcess {
  public:
+  /// Whether what the program starts itself is measured, and killed, with it.
+  enum class Kin { kAlone, kWithOwnChildren };
+
   /// `command[0]` is the path of the program.
   static StatusOr<ChildProcess> Start(const std::vector<std::string>& command,
-                                      const std::string& input);
+                                      const std::string& input, Kin kin = Kin::kAlone);
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;
   ~ChildProcess();  ///< ends it if it still runs
@@ -29,6 +33,11 @@ class ChildProcess {
 
   double Seconds() const { return timer_.Seconds(); }  ///< since its start
   double ResidentMib() const;                          ///< now; 0 where it has ended
+
+  /// Once it has ended: of it and those of its children that it waited for. The peak is of the largest
+  /// of these processes, and not below what this process had at the start.
+  double CpuSeconds() const;
+  double PeakMib() const;
 
   /// Once it has ended: whether it ended by itself with status 0, or was killed, and how it ended,
   /// for a message.
@@ -43,7 +52,9 @@ class ChildProcess {
   ChildProcess() = default;
 
   pid_t pid_ = -1;  ///< -1 once it has ended
-  int status_ = 0;  ///< of waitpid
+  int status_ = 0;  ///< of wait4
+  rusage usage_ = {};
+  Kin kin_ = Kin::kAlone;
   int output_ = -1, errors_ = -1;
   Timer timer_;
 };

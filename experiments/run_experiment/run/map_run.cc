@@ -8,37 +8,17 @@
 
 #include "cirque/domains/domain.h"
 #include "cirque/domains/map_mesh.h"
-#include "cirque/generators/known_maps.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_map.h"
 
 #include "experiments/common/sphere_files.h"
 #include "experiments/run_experiment/run/carry_out.h"
+#include "experiments/run_experiment/run/map_errors.h"
 
 namespace cirque {
 namespace {
 
 constexpr char kPlane[] = "plane";
-
-/// Mean edge length of corner images, relative to their extent as Similarity measures it.
-double RelativeEdgeLength(const std::vector<Eigen::Vector2d>& image) {
-  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : image) centroid += p / static_cast<double>(image.size());
-  double sum = 0, extent = 0;
-  for (std::size_t h = 0; h < image.size(); ++h) {
-    sum += (image[h] - image[h % 3 == 2 ? h - 2 : h + 1]).norm();
-    extent = std::max(extent, (image[h] - centroid).norm());
-  }
-  return sum / static_cast<double>(image.size()) / (2 * extent);
-}
-
-std::vector<Eigen::Vector2d> KnownImage(const ConformalMap& map, const Surface& surface) {
-  std::vector<Eigen::Vector2d> image;
-  for (const Index v : surface.triangulation.vertex) {
-    image.push_back(map.to_plane(surface.position[v]));
-  }
-  return image;
-}
 
 /// The angle at corner h between the images of the edges to the next and the previous corner [rad].
 double ImageAngle(const std::vector<Eigen::Vector2d>& image, Index h) {
@@ -60,21 +40,6 @@ ConeTargets KnownBoundaryTargets(const MeshSpec& mesh, const Surface& surface) {
     if (targets.lower[v] == 0) targets.lower[v] = targets.upper[v] = sum[v];
   }
   return targets;
-}
-
-/// How far the map of a generated surface is from the smooth conformal map that its generator is
-/// known to have, after the best similarity between the two, relative to the known image's
-/// diameter: `known_map_rms_error`, `known_map_max_error`, and `edge_length`, the mean edge of the
-/// known image by the same diameter. Empty for other meshes.
-std::map<std::string, double> KnownMapErrors(const MeshSpec& mesh, const Surface& surface,
-                                             const CornerUv& uv) {
-  const StatusOr<ConformalMap> known = KnownConformalMaps().Find(mesh.generator);
-  if (!known.ok()) return {};
-  const std::vector<Eigen::Vector2d> image = KnownImage(*known, surface);
-  const Similarity similarity = FitSimilarity(uv.value, image);
-  return {{"edge_length", RelativeEdgeLength(image)},
-          {"known_map_rms_error", similarity.rms_error},
-          {"known_map_max_error", similarity.max_error}};
 }
 
 /// Measures of a map as a whole: faces each in a plane of their own have none.
@@ -141,9 +106,14 @@ Status MapRun(const PlannedRun& run, const PolygonSoup& soup,
   TakeCertificate(map.certificate, result);
   if (!mapped->status.ok()) return mapped->status;
   const Surface& surface = *mapped->surface;
-  if (HasKnownImage(run, surface)) {
-    result->figures.merge(KnownMapErrors(run.mesh, surface, map.uv));
+  std::map<std::string, double> errors;
+  if (HasKnownImage(run, surface)) errors = KnownMapErrors(run.mesh, surface, map.uv);
+  if (errors.empty() && run.against_refined) {
+    auto of_refined = RefinedMapErrors(run, surface, map);
+    if (!of_refined.ok()) return of_refined.status();
+    errors = *std::move(of_refined);
   }
+  result->figures.merge(errors);
   if (run.keep_map) {
     result->map = map.IsOnSphere() ? SphereMesh(soup, surface, map.position)
                                    : AttachUv(soup, surface, map.uv);

@@ -41,6 +41,15 @@ MeshSpec MeshFromJson(const nlohmann::json& json) {
 MethodSpec MethodFromJson(const nlohmann::json& json) {
   MethodSpec method;
   method.name = json.at("name");
+  if (json.contains("peer")) {
+    method.peer = json["peer"];
+    return method;
+  }
+  if (json.contains("energy")) {
+    method.trial = {json["energy"], json.at("energy_solver"), json.at("energy_start")};
+    method.options.epsilon = json.at("epsilon");
+    return method;
+  }
   method.domain = json.at("domain");
   method.options.exact = json.value("exact", false);
   for (const auto& option : ParameterizeOptionTable().options()) {
@@ -53,11 +62,17 @@ MethodSpec MethodFromJson(const nlohmann::json& json) {
 }
 
 nlohmann::json RunToJson(const PlannedRun& run) {
-  const auto& [mesh, method, repeat, measures, limits, keep_map, reference] = run;
+  const auto& [mesh, method, repeat, measures, limits, keep_map, reference, against_refined] = run;
   const auto& [seconds, memory_mib] = limits;
-  return {{"mesh", MeshToJson(mesh)}, {"method", MethodJson(method)}, {"repeat", repeat},
-          {"measures", measures},     {"seconds", seconds},           {"memory_mib", memory_mib},
-          {"keep_map", keep_map},     {"reference", reference}};
+  return {{"mesh", MeshToJson(mesh)},
+          {"method", MethodJson(method)},
+          {"repeat", repeat},
+          {"measures", measures},
+          {"seconds", seconds},
+          {"memory_mib", memory_mib},
+          {"keep_map", keep_map},
+          {"reference", reference},
+          {"against_refined", against_refined}};
 }
 
 PlannedRun RunFromJson(const nlohmann::json& json) {
@@ -67,7 +82,8 @@ PlannedRun RunFromJson(const nlohmann::json& json) {
           json.at("measures"),
           {json.at("seconds"), json.at("memory_mib")},
           json.at("keep_map"),
-          json.at("reference")};
+          json.at("reference"),
+          json.at("against_refined")};
 }
 
 }  // namespace

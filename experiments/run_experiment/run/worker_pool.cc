@@ -34,6 +34,16 @@ std::string LastWords(const std::string& errors) {
   return "; it said: " + text.substr(text.size() > kLastWords ? text.size() - kLastWords : 0);
 }
 
+/// What ends a peer is its worker, which knows how much of the time was the peer's.
+constexpr double kSecondsToEndAPeer = 10;
+
+/// The limits of a run's process.
+RunLimits LimitsOf(const PlannedRun& run) {
+  RunLimits limits = run.limits;
+  if (!run.method.peer.empty() && limits.seconds > 0) limits.seconds += kSecondsToEndAPeer;
+  return limits;
+}
+
 std::optional<std::string> ExceededLimit(const RunLimits& limits, double seconds, double mib) {
   if (limits.seconds > 0 && seconds > limits.seconds) return kTimeLimit;
   if (limits.memory_mib > 0 && mib > limits.memory_mib) return kMemoryLimit;
@@ -100,7 +110,7 @@ std::vector<EndedRun> WorkerPool::TakeEnded() {
 std::vector<EndedRun> WorkerPool::LookOnce() {
   std::vector<EndedRun> ended;
   for (auto run = active_.begin(); run != active_.end();) {
-    const RunLimits& limits = run->ready.run.limits;
+    const RunLimits limits = LimitsOf(run->ready.run);
     run->peak_mib = std::max(run->peak_mib, run->process.ResidentMib());
     const double seconds = run->process.Seconds();
     std::optional<Record> record;

@@ -62,7 +62,7 @@ class SurfaceView {
   constructor(canvas, scales, options) {
     const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
     if (!gl) throw Error("This browser offers no WebGL 2.");
-    Object.assign(this, { canvas, gl, options, morph: 0, round: false, batches: [] });
+    Object.assign(this, { canvas, gl, options, morph: 0, round: false, batches: [], linked: [] });
     this.programs = [
       linkProgram(gl, kFaceVertex, kFaceFragment), linkProgram(gl, kEdgeVertex, kPlainFragment),
       linkProgram(gl, kPointVertex, kPointFragment)];
@@ -74,7 +74,22 @@ class SurfaceView {
   reset() {
     this.turn = multiply(rotation(0, 0.35), rotation(1, -0.5));
     this.camera = [0, 0, 0.96, 0];
+    this.drawLinked();
+  }
+
+  // This view and another show the same from here on, whichever is turned, moved or zoomed.
+  link(other) {
+    this.linked.push(other);
+    other.linked.push(this);
+    this.drawLinked();
+  }
+
+  drawLinked() {
     this.draw();
+    for (const other of this.linked) {
+      Object.assign(other, { turn: this.turn, camera: [...this.camera] });
+      other.draw();
+    }
   }
 
   loadScales(scales) {
@@ -147,12 +162,12 @@ class SurfaceView {
     } else {
       this.turn = multiply(multiply(rotation(0, dy * 0.01), rotation(1, dx * 0.01)), this.turn);
     }
-    this.draw();
+    this.drawLinked();
   }
 
   zoom(factor) {
     this.camera[2] = Math.min(Math.max(this.camera[2] * factor, 0.05), 500);
-    this.draw();
+    this.drawLinked();
   }
 
   listen() {

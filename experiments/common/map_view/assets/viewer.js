@@ -64,6 +64,36 @@ function showScale() {
                           `${scale.greatest}  ${scale.meaning}; beyond, the colour of the end`);
 }
 
+// A canvas with a caption, in the row of the second map.
+function addPane(id, label) {
+  const figure = document.createElement("figure");
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, { id, tabIndex: 0 });
+  canvas.setAttribute("aria-label", label);
+  const caption = document.createElement("figcaption");
+  const button = document.createElement("button");
+  Object.assign(button, { type: "button", className: "save", textContent: "PNG" });
+  button.dataset.of = id;
+  caption.append(document.createElement("span"), " ", button);
+  figure.append(canvas, caption);
+  element("second").append(figure);
+  return new SurfaceView(canvas, scales, options);
+}
+
+// What the canvas shows, as a file.
+function saveView(canvas, view) {
+  canvas.toBlob((blob) => saveFile(blob, `${view.mesh}-${view.method}-${canvas.id}.png`));
+}
+
+// To the row of the table of runs, where the page has one.
+function recordLink(key) {
+  if (!document.getElementById(`run-${key}`)) return [];
+  const link = document.createElement("a");
+  link.href = `#run-${key}`;
+  link.textContent = "Its record";
+  return [" ", link, "."];
+}
+
 function showFacts(view) {
   const count = (number, noun) => `${number} ${noun}${number === 1 ? "" : "s"}`;
   const swatch = (css, colour) => {
@@ -79,53 +109,103 @@ function showFacts(view) {
     swatch("", "#e01f59"), ` ${count(view.seams / 2, "seam edge")}, `,
     swatch("dot", "#ed730d"), " ", swatch("dot", "#8033bf"), ` ${count(view.cones.length, "cone")}`,
     few ? ` (angle sums less and more than 2 pi; in multiples of pi: ${few}${new Set(sums).size > 6 ? ", ..." : ""}).` : ".",
-    " Positions and uvs are rounded to 1/65535 of their range here.");
+    " Positions and uvs are rounded to 1/65535 of their range here.", ...recordLink(view.key));
+}
+
+class Viewer {
+  constructor() {
+    this.arrays = new Map();  // of the views shown so far
+    this.shown = [0, -1];     // the first map, and the one beside it or -1
+    const first = { surface: new SurfaceView(element("surface"), scales, options),
+                    image: new SurfaceView(element("image"), scales, options) };
+    first.image.morph = 1;
+    this.rows = [first];
+  }
+
+  all(act) {
+    for (const { surface, image } of this.rows) [surface, image].forEach(act);
+  }
+
+  async arraysOf(index) {
+    const view = views[index];
+    if (!this.arrays.has(index)) this.arrays.set(index, buildArrays(await readMesh(view), view.cones));
+    return this.arrays.get(index);
+  }
+
+  async load(row, index) {
+    const arrays = await this.arraysOf(index);
+    if (this.shown[row] !== index) return;  // another was chosen meanwhile
+    this.rows[row].surface.load(arrays);
+    this.rows[row].image.load(arrays);
+  }
+
+  async show(index) {
+    this.shown[0] = index;
+    await this.load(0, index);
+    showFacts(views[index]);
+    element("caption").textContent = views[index].sphere ?
+      "Image on the sphere: drag to turn, shift-drag to move, wheel to zoom." :
+      "Image in the plane: drag to move, wheel to zoom. Flipped triangles are red.";
+  }
+
+  // A second row, which turns and zooms with the first.
+  async showBeside(index) {
+    this.shown[1] = index;
+    element("second").hidden = index < 0;
+    if (index < 0) return;
+    if (this.rows.length === 1) {
+      const [surface, image] = [addPane("surface2", "the surface of the second map"),
+                                addPane("image2", "the image of the second map")];
+      const [first] = this.rows;
+      image.morph = 1;
+      surface.morph = first.surface.morph;
+      this.rows.push({ surface, image });
+      first.surface.link(surface);
+      first.image.link(image);
+    }
+    const { mesh, method } = views[index];
+    for (const caption of element("second").querySelectorAll("span")) caption.textContent = `${mesh} - ${method}`;
+    await this.load(1, index);
+  }
 }
 
 async function main() {
-  const surface = new SurfaceView(element("surface"), scales, options);
-  const image = new SurfaceView(element("image"), scales, options);
-  image.morph = 1;
-  const both = (act) => [surface, image].forEach(act);
-  const arrays = new Map();  // of the views shown so far
-  const show = async (index) => {
-    const view = views[index];
-    if (!arrays.has(index)) arrays.set(index, buildArrays(await readMesh(view), view.cones));
-    if (Number(element("choose").value) !== index) return;  // another was chosen meanwhile
-    both((one) => one.load(arrays.get(index)));
-    showFacts(view);
-    element("caption").textContent = view.sphere ?
-      "Image on the sphere: drag to turn, shift-drag to move, wheel to zoom." :
-      "Image in the plane: drag to move, wheel to zoom. Flipped triangles are red.";
-  };
+  const viewer = new Viewer();
   views.forEach((view, index) => {
-    element("choose").append(new Option(`${view.mesh} - ${view.method}`, index));
+    for (const id of ["choose", "beside"]) element(id).append(new Option(`${view.mesh} - ${view.method}`, index));
   });
-  if (views.length < 2) element("choose").parentElement.style.display = "none";
+  if (views.length < 2) {
+    for (const id of ["choose", "beside"]) element(id).parentElement.style.display = "none";
+  }
   element("choose").addEventListener("change", () => {
     const index = Number(element("choose").value);
     history.replaceState(null, "", `#map-${views[index].key}`);  // a link to what is shown
-    show(index);
+    viewer.show(index);
   });
+  element("beside").addEventListener("change", () => viewer.showBeside(Number(element("beside").value)));
   const on = (id, act) => element(id).addEventListener("input", () => {
     act(element(id));
-    both((one) => one.draw());
+    viewer.all((one) => one.draw());
   });
   on("shading", (input) => { options.shading = Number(input.value); showScale(); });
   on("checks", (input) => { options.checks = Number(input.value); });
   on("wire", (input) => { options.wire = input.checked; });
   on("seams", (input) => { options.seams = input.checked; });
-  on("morph", (input) => { surface.morph = Number(input.value); });
-  element("reset").addEventListener("click", () => both((one) => one.reset()));
+  on("morph", (input) => { for (const { surface } of viewer.rows) surface.morph = Number(input.value); });
+  element("reset").addEventListener("click", () => viewer.all((one) => one.reset()));
+  document.querySelector(".viewer").addEventListener("click", ({ target }) => {
+    if (!target.matches(".save")) return;
+    saveView(element(target.dataset.of), views[viewer.shown[target.dataset.of.endsWith("2") ? 1 : 0]]);
+  });
   const follow = () => {
     const index = views.findIndex((view) => location.hash === `#map-${view.key}`);
     if (index < 0) return false;
     element("choose").value = index;
     element("maps").scrollIntoView();
-    return show(index);
+    return viewer.show(index);
   };
   addEventListener("hashchange", follow);
-  await (follow() || show(0));
+  await (follow() || viewer.show(0));
 }
 main().catch((error) => {
   console.error(error);

@@ -1,6 +1,8 @@
-#include "experiments/studies/solver_problem.h"
+#include "experiments/common/solver_problem.h"
 
 #include <filesystem>
+#include <numbers>
+#include <random>
 
 #include "cirque/angles/angle_fit.h"
 #include "cirque/angles/registry.h"
@@ -22,6 +24,18 @@ std::vector<Eigen::Vector3d> Directions(const Surface& surface) {
   return directions;
 }
 
+/// Flat vertices; those of a closed surface share what Gauss-Bonnet asks of them:
+///   sum_v (2 pi - target_v) = 2 pi chi.
+ConeTargets EvenTargets(const Triangulation& t) {
+  ConeTargets targets = FreeBoundaryTargets(t);
+  if (t.num_edges() * 2 != t.num_halfedges()) return targets;
+  const double target =
+      2 * std::numbers::pi * (1 - static_cast<double>(EulerCharacteristic(t)) / t.num_vertices);
+  targets.lower.assign(t.num_vertices, target);
+  targets.upper = targets.lower;
+  return targets;
+}
+
 Status FitCoherentAngles(EnergyInput* input) {
   const AngleConstraints constraints(input->triangulation, input->targets);
   AngleFitResult fit;
@@ -33,15 +47,34 @@ Status FitCoherentAngles(EnergyInput* input) {
   return status;
 }
 
+constexpr double kNearby = 0.1;
+constexpr int kMostHalvings = 30;
+
+/// Inside the domain, where `x` is.
+Eigen::VectorXd NearPoint(const Energy& energy, const Eigen::VectorXd& x) {
+  std::mt19937 random(1);
+  Eigen::VectorXd direction(x.size());
+  for (double& entry : direction) {
+    entry = 2 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 1;
+  }
+  double length = kNearby, value;
+  for (int i = 0; i < kMostHalvings; ++i, length /= 2) {
+    const Eigen::VectorXd near = x + length * direction;
+    if (energy.Evaluate(near.data(), &value, nullptr)) return near;
+  }
+  return x;
+}
+
 }  // namespace
 
 StatusOr<std::shared_ptr<const StudyProblem>> MakeProblem(const std::string& name,
-                                                          const Surface& surface) {
+                                                          const Surface& surface, double epsilon) {
   auto problem = std::make_shared<StudyProblem>();
   problem->mesh = name;
   EnergyInput& input = problem->input;
   input.triangulation = surface.triangulation;
-  input.targets = FreeBoundaryTargets(surface.triangulation);
+  input.targets = EvenTargets(surface.triangulation);
+  input.epsilon = epsilon;
   input.lengths = MeasureEdgeLengths(surface);
   input.reference = MeasureSurface(surface.triangulation, input.lengths).angles;
   input.points = Directions(surface);
@@ -64,6 +97,20 @@ Eigen::VectorXd StartOf(const Energy& energy, const EnergyInput& input) {
   double value;
   const bool starts_at_zero = energy.Evaluate(start.data(), &value, nullptr);
   return starts_at_zero ? start : input.coherent.value;
+}
+
+const Registry<EnergyStart>& EnergyStarts() {
+  static const Registry<EnergyStart> kTable(
+      "start of an energy",
+      {
+          {"own", [](const Energy& energy, const EnergyInput& input,
+                     const Eigen::VectorXd&) { return StartOf(energy, input); }},
+          {"solution", [](const Energy&, const EnergyInput&,
+                          const Eigen::VectorXd& minimizer) { return minimizer; }},
+          {"near", [](const Energy& energy, const EnergyInput&,
+                      const Eigen::VectorXd& minimizer) { return NearPoint(energy, minimizer); }},
+      });
+  return kTable;
 }
 
 Eigen::VectorXd ComparableSolution(const Energy& energy, const Eigen::VectorXd& x) {

@@ -1,4 +1,4 @@
-#include "experiments/verify_map/measures.h"
+#include "experiments/common/judged_measures.h"
 
 #include <cmath>
 #include <string>
