@@ -211,6 +211,16 @@ std::string ConvergenceChart(const std::vector<Run>& runs, const std::string& st
   return CurveChart(text, series, summary.medians, false, summary.bands);
 }
 
+/// Nothing where no run minimises an energy by itself, which few experiments do.
+std::string EnergyConvergence(const std::vector<Run>& runs) {
+  const json::json_pointer pointer("/history/energy");
+  const auto has_one = [&](const Run& run) { return run.record.contains(pointer); };
+  if (std::none_of(runs.begin(), runs.end(), has_one)) return "";
+  return ConvergenceChart(runs, "energy", "Convergence of the energies", [](const Run& run) {
+    return TextAt(run.record, "/method/energy_solver");
+  });
+}
+
 constexpr char kLooksForMatplotlib[] =
     "import importlib.util as u; raise SystemExit(u.find_spec('matplotlib') is None)";
 
@@ -225,9 +235,7 @@ std::string FiguresHtml(const std::vector<Run>& runs) {
                           [](const Run& run) { return run.angle_solver; }) +
          ConvergenceChart(runs, "radii", "Convergence of the log radii",
                           [](const Run& run) { return run.radii_solver; }) +
-         ConvergenceChart(runs, "energy", "Convergence of the energies", [](const Run& run) {
-           return TextAt(run.record, "/method/energy_solver");
-         });
+         EnergyConvergence(runs);
 }
 
 Status DrawPaperFigures(const std::string& runs_json, const std::string& convergence_json,

@@ -87,7 +87,7 @@ TEST_F(RunExperimentPeers, AMapIsJudgedAndMeasuredInTheSameTable) {
 
 TEST_F(RunExperimentPeers, AWrongMapIsNoMap) {
   Script("mirror.sh", Projection("-1"));
-  const Record peer = Run("peer:\n  - {name: mirror, command: ./mirror.sh {in} {out}}\n").at(1);
+  const Record peer = Run("peer:\n  - {name: mirror, command: \"./mirror.sh {in} {out}\"}\n").at(1);
   EXPECT_EQ(peer["outcome"], "invalid_map");
   EXPECT_EQ(peer["values"]["flipped_triangles"], peer["mesh"]["triangles"]);
   EXPECT_FALSE(IsSettled(peer));

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -68,6 +69,13 @@ double ResidentMibOf(pid_t pid) {
   double size = 0, resident = 0;
   if (!(statm >> size >> resident)) return 0;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+/// Whether a fork of this process has not become another program yet.
+bool IsStillThisProgram(pid_t pid) {
+  std::error_code error;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+  return std::filesystem::read_symlink(fmt::format("/proc/{}/exe", pid), error) == own;
 }
 
 /// The same with all that it has started and what these have; `depth` bounds the way down.
@@ -159,7 +167,8 @@ void ChildProcess::Kill() {
 
 double ChildProcess::ResidentMib() const {
   if (pid_ <= 0) return 0;
-  return kin_ == Kin::kAlone ? ResidentMibOf(pid_) : FamilyMib(pid_, kDeepestFamily);
+  if (kin_ == Kin::kAlone) return ResidentMibOf(pid_);
+  return IsStillThisProgram(pid_) ? 0 : FamilyMib(pid_, kDeepestFamily);
 }
 
 double ChildProcess::CpuSeconds() const {
