@@ -1,0 +1,371 @@
+#include "cirque/remesh/flat_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cirque {
+namespace {
+
+using Point = Eigen::Vector2d;
+
+Index Next(Index h) { return Triangulation::Next(h); }
+Index Prev(Index h) { return Triangulation::Prev(h); }
+Index Face(Index h) { return Triangulation::Face(h); }
+
+}  // namespace
+
+FlatMesh::FlatMesh(const FlatDomain& domain, const std::vector<bool>& fixed) : domain_(domain) {
+  const Triangulation& t = domain.triangulation();
+  corner_.resize(t.vertex.size());
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    corner_[h].vertex = t.vertex[h];
+    corner_[h].twin = t.twin[h];
+  }
+  AddVertices(fixed);
+  SplitFacesOfCones();
+}
+
+void FlatMesh::AddVertices(const std::vector<bool>& fixed) {
+  const Triangulation& t = domain_.triangulation();
+  vertices_.resize(t.num_vertices);
+  num_alive_ = t.num_vertices;
+  for (Index c = 0; c < t.num_halfedges(); ++c) vertices_[t.vertex[c]].corner = c;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    Vertex& vertex = vertices_[v];
+    const std::vector<Index> around = CornersAround(v);
+    vertex.point = {Face(around[0]), domain_.Corner(around[0])};
+    if (domain_.IsCone(v)) vertex.kind = Kind::kCone;
+    RigidMotion to_face;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      if (i > 0) to_face = domain_.Across(Next(around[i - 1])).Inverse() * to_face;
+      corner_[around[i]].to_face = to_face;
+    }
+  }
+  const auto& loops = domain_.loops();
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    for (std::size_t i = 0; i < loops[l].halfedges.size(); ++i) {
+      const Index v = t.Tail(loops[l].halfedges[i]);
+      vertices_[v].kind = fixed[v] ? Kind::kFixedOnBoundary : Kind::kOnBoundary;
+      vertices_[v].loop = static_cast<Index>(l);
+      vertices_[v].distance = loops[l].begin[i];
+    }
+  }
+}
+
+void FlatMesh::SplitFacesOfCones() {
+  const Index faces = domain_.triangulation().num_faces();
+  for (Index f = 0; f < faces; ++f) {
+    const Index c = 3 * f;
+    if (!IsCone(VertexAt(c)) || !IsCone(VertexAt(c + 1)) || !IsCone(VertexAt(c + 2))) continue;
+    const Point middle = (domain_.Corner(c) + domain_.Corner(c + 1) + domain_.Corner(c + 2)) / 3;
+    InsertInside(f, {f, middle}, RigidMotion());
+  }
+}
+
+RigidMotion FlatMesh::Across(Index h) const {
+  const Index twin = Twin(h);
+  if (!IsCone(Tail(h))) return ToFace(Next(h)) * ToFace(Prev(twin)).Inverse();
+  if (!IsCone(Tip(h))) return ToFace(Prev(h)) * ToFace(Next(twin)).Inverse();
+  return RigidMotion::Aligning(Position(Next(twin)), Position(Prev(twin)), Position(Prev(h)),
+                               Position(Next(h)));
+}
+
+std::vector<Index> FlatMesh::CornersAround(Index v) const {
+  const Index given = vertices_[v].corner;
+  Index first = given;
+  for (Index across = Twin(Prev(first)); across != kNone; across = Twin(Prev(first))) {
+    first = Prev(across);
+    if (first == given) break;
+  }
+  std::vector<Index> around;
+  Index c = first;
+  do {
+    around.push_back(c);
+    const Index across = Twin(Next(c));
+    c = across == kNone ? kNone : Next(across);
+  } while (c != kNone && c != first);
+  return around;
+}
+
+std::vector<Index> FlatMesh::Neighbours(Index v) const {
+  std::vector<Index> beside;
+  const std::vector<Index> around = CornersAround(v);
+  for (const Index c : around) beside.push_back(VertexAt(Next(c)));
+  if (Twin(Next(around.back())) == kNone) beside.push_back(VertexAt(Prev(around.back())));
+  return beside;
+}
+
+bool FlatMesh::HasEdge(Index a, Index b) const {
+  const std::vector<Index> beside = Neighbours(a);
+  return std::find(beside.begin(), beside.end(), b) != beside.end();
+}
+
+Index FlatMesh::AddFace() {
+  if (free_faces_.empty()) {
+    corner_.resize(corner_.size() + 3);
+    return num_halfedges() / 3 - 1;
+  }
+  const Index face = free_faces_.back();
+  free_faces_.pop_back();
+  return face;
+}
+
+void FlatMesh::RemoveFace(Index face) {
+  for (Index c = 3 * face; c < 3 * face + 3; ++c) corner_[c] = CornerData();
+  free_faces_.push_back(face);
+}
+
+void FlatMesh::SetFace(Index face, const std::array<Placed, 3>& corners) {
+  for (Index k = 0; k < 3; ++k) {
+    corner_[3 * face + k].vertex = corners[k].vertex;
+    corner_[3 * face + k].to_face = corners[k].to_face;
+    vertices_[corners[k].vertex].corner = 3 * face + k;
+  }
+}
+
+void FlatMesh::Glue(Index a, Index b) {
+  if (a != kNone) corner_[a].twin = b;
+  if (b != kNone) corner_[b].twin = a;
+}
+
+void FlatMesh::MoveRim(const std::vector<Index>& from, const std::vector<Index>& to) {
+  std::vector<Index> twins;
+  for (const Index h : from) {
+    const auto own = std::find(from.begin(), from.end(), Twin(h));
+    twins.push_back(own == from.end() ? Twin(h) : to[own - from.begin()]);
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) Glue(to[i], twins[i]);
+}
+
+bool FlatMesh::IsFit(const Point& a, const Point& b, const Point& c, double least_height) const {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return Cross(a, b, c) > least_height * longest;
+}
+
+bool FlatMesh::Flip(Index h) {
+  const Index t = Twin(h), f = Face(h);
+  if (t == kNone || Face(t) == f) return false;
+  const Index g = Face(t);
+  const RigidMotion across = Across(h);
+  const Placed c = At(h), a = At(Next(h)), b = At(Prev(h)), d = Seen(across, t);
+  const auto at = [this](const Placed& p) { return p.to_face(vertices_[p.vertex].point.at); };
+  if (!IsFit(at(c), at(a), at(d), 0) || !IsFit(at(d), at(b), at(c), 0)) return false;
+  if (c.vertex == d.vertex || HasEdge(c.vertex, d.vertex)) return false;
+  if (IsCone(c.vertex) && IsCone(d.vertex) && (IsCone(a.vertex) || IsCone(b.vertex))) return false;
+  MoveRim({Next(t), Prev(h), Next(h), Prev(t)}, {3 * f, 3 * f + 2, 3 * g, 3 * g + 2});
+  SetFace(f, {c, a, d});
+  SetFace(g, {d, b, c});
+  Glue(3 * f + 1, 3 * g + 1);
+  return true;
+}
+
+std::optional<FlatDomain::Arrival> FlatMesh::TraceIn(Index face, const Point& target,
+                                                     Index* from) const {
+  for (Index c = 3 * face; c < 3 * face + 3; ++c) {
+    if (IsCone(VertexAt(c))) continue;
+    auto arrival =
+        domain_.Trace(vertices_[VertexAt(c)].point, ToFace(c).Inverse()(target));
+    if (!arrival) continue;
+    *from = c;
+    return arrival;
+  }
+  return std::nullopt;
+}
+
+Index FlatMesh::Split(Index h) { return Twin(h) == kNone ? SplitBoundary(h) : SplitInside(h); }
+
+Index FlatMesh::SplitInside(Index h) {
+  const Index t = Twin(h), f = Face(h), g = Face(t);
+  if (f == g) return kNone;
+  const Point middle = (Position(Next(h)) + Position(Prev(h))) / 2;
+  Index from = kNone;
+  const auto arrival = TraceIn(f, middle, &from);
+  if (!arrival) return kNone;
+  const Index v = num_vertices();
+  const Placed m = {v, ToFace(from) * arrival->back};
+  const Placed m_in_g = {v, Across(t) * m.to_face};
+  const Placed c = At(h), a = At(Next(h)), b = At(Prev(h));
+  const Placed d = At(t), b_in_g = At(Next(t)), a_in_g = At(Prev(t));
+  vertices_.push_back({arrival->point});
+  ++num_alive_;
+  const Index f2 = AddFace(), g2 = AddFace();
+  MoveRim({Next(h), Prev(h), Next(t), Prev(t)}, {3 * f2 + 1, 3 * f + 2, 3 * g2 + 1, 3 * g + 2});
+  SetFace(f, {c, a, m});
+  SetFace(f2, {c, m, b});
+  SetFace(g, {d, b_in_g, m_in_g});
+  SetFace(g2, {d, m_in_g, a_in_g});
+  Glue(3 * f + 1, 3 * f2 + 2);
+  Glue(3 * g + 1, 3 * g2 + 2);
+  Glue(3 * f, 3 * g2);
+  Glue(3 * f2, 3 * g);
+  return v;
+}
+
+Index FlatMesh::SplitBoundary(Index h) {
+  const Index f = Face(h);
+  const Vertex &tail = vertices_[Tail(h)], &tip = vertices_[Tip(h)];
+  const double whole = domain_.loops()[tail.loop].length();
+  const double ahead =
+      tip.distance > tail.distance ? tip.distance - tail.distance : tip.distance + whole - tail.distance;
+  double distance = tail.distance + ahead / 2;
+  const FlatDomain::Arrival arrival = domain_.AlongLoop(tail.loop, tail.distance, distance);
+  if (distance >= whole) distance -= whole;
+  const Index v = num_vertices();
+  const Placed m = {v, ToFace(Next(h)) * arrival.back};
+  const Point at = m.to_face(arrival.point.at);
+  if (!IsFit(Position(h), Position(Next(h)), at, 0) || !IsFit(Position(h), at, Position(Prev(h)), 0))
+    return kNone;
+  const Placed c = At(h), a = At(Next(h)), b = At(Prev(h));
+  vertices_.push_back({arrival.point, Kind::kOnBoundary, tail.loop, distance, kNone});
+  ++num_alive_;
+  const Index f2 = AddFace();
+  MoveRim({Next(h), Prev(h)}, {3 * f2 + 1, 3 * f + 2});
+  SetFace(f, {c, a, m});
+  SetFace(f2, {c, m, b});
+  Glue(3 * f + 1, 3 * f2 + 2);
+  corner_[3 * f].twin = kNone;
+  corner_[3 * f2].twin = kNone;
+  return v;
+}
+
+Index FlatMesh::InsertInside(Index f, const FlatPoint& point, const RigidMotion& to_face) {
+  const Index v = num_vertices();
+  const Placed a = At(3 * f), b = At(3 * f + 1), c = At(3 * f + 2), m = {v, to_face};
+  vertices_.push_back({point});
+  ++num_alive_;
+  const Index f2 = AddFace(), f3 = AddFace();
+  MoveRim({3 * f, 3 * f + 1, 3 * f + 2}, {3 * f2 + 2, 3 * f3 + 2, 3 * f + 2});
+  SetFace(f, {a, b, m});
+  SetFace(f2, {b, c, m});
+  SetFace(f3, {c, a, m});
+  Glue(3 * f, 3 * f2 + 1);
+  Glue(3 * f2, 3 * f3 + 1);
+  Glue(3 * f3, 3 * f + 1);
+  return v;
+}
+
+/// The link condition: the triangles at the edge are all that its ends have in common.
+bool FlatMesh::MayCollapse(Index h, Index gone, Index kept) const {
+  const Vertex& vertex = vertices_[gone];
+  const Index twin = Twin(h);
+  if (gone == kept || vertex.kind == Kind::kCone || vertex.kind == Kind::kFixedOnBoundary ||
+      (vertex.IsOnBoundary() && twin != kNone)) {
+    return false;
+  }
+  std::vector<Index> beside = Neighbours(gone), beside_kept = Neighbours(kept);
+  std::sort(beside.begin(), beside.end());
+  std::sort(beside_kept.begin(), beside_kept.end());
+  for (const auto& list : {beside, beside_kept}) {
+    if (std::adjacent_find(list.begin(), list.end()) != list.end()) return false;
+  }
+  if (std::binary_search(beside.begin(), beside.end(), gone)) return false;
+  std::vector<Index> common, apexes = {VertexAt(h)};
+  if (twin != kNone) apexes.push_back(VertexAt(twin));
+  std::set_intersection(beside.begin(), beside.end(), beside_kept.begin(), beside_kept.end(),
+                        std::back_inserter(common));
+  std::sort(apexes.begin(), apexes.end());
+  if (common != apexes) return false;
+  const auto is_ear = [this](Index side) {
+    return Twin(Next(side)) == kNone && Twin(Prev(side)) == kNone;
+  };
+  const bool is_tetrahedron = beside.size() == 3 && beside_kept.size() == 3 && twin != kNone;
+  return !is_tetrahedron && !is_ear(h) && (twin == kNone || !is_ear(twin));
+}
+
+/// Takes out the triangle at h and glues its two other sides.
+void FlatMesh::CloseUp(Index h) {
+  const Index right = Twin(Next(h)), left = Twin(Prev(h));
+  RemoveFace(Face(h));
+  Glue(right, left);
+  for (const Index side : {right, left}) {
+    if (side == kNone) continue;
+    vertices_[Tail(side)].corner = Next(side);
+    vertices_[Tip(side)].corner = Prev(side);
+  }
+}
+
+bool FlatMesh::Collapse(Index h, bool to_tail, double least_height, const TooLong& too_long) {
+  if (to_tail && Twin(h) != kNone) return Collapse(Twin(h), false, least_height, too_long);
+  const Index corner = to_tail ? Prev(h) : Next(h), kept_corner = to_tail ? Next(h) : Prev(h);
+  const Index gone = VertexAt(corner), kept = VertexAt(kept_corner), twin = Twin(h);
+  if (!MayCollapse(h, gone, kept)) return false;
+  // `gone` is no cone, and so its frame leads from one of its triangles to the others.
+  const RigidMotion to_vertex = ToFace(corner).Inverse();
+  const Placed kept_there = At(kept_corner);
+  std::vector<std::pair<Index, Placed>> moved;
+  for (const Index c : CornersAround(gone)) {
+    if (Face(c) == Face(h) || (twin != kNone && Face(c) == Face(twin))) continue;
+    const Placed placed = {kept, ToFace(c) * to_vertex * kept_there.to_face};
+    const Point at = placed.to_face(vertices_[kept].point.at);
+    const Point right = Position(Next(c)), left = Position(Prev(c));
+    if (!IsFit(at, right, left, least_height)) return false;
+    const Index r = VertexAt(Next(c)), l = VertexAt(Prev(c));
+    if (IsCone(kept) && IsCone(r) && IsCone(l)) return false;
+    if (too_long(kept, r, (right - at).norm()) || too_long(kept, l, (left - at).norm()))
+      return false;
+    moved.emplace_back(c, placed);
+  }
+  if (moved.empty()) return false;
+  for (const auto& [c, placed] : moved) {
+    corner_[c].vertex = placed.vertex;
+    corner_[c].to_face = placed.to_face;
+  }
+  CloseUp(h);
+  if (twin != kNone) CloseUp(twin);
+  vertices_[gone].corner = kNone;
+  vertices_[kept].corner = moved[0].first;
+  --num_alive_;
+  return true;
+}
+
+bool FlatMesh::PutAt(Index v, const FlatDomain::Arrival& arrival, double distance,
+                     double least_height) {
+  const std::vector<Index> around = CornersAround(v);
+  for (const Index c : around) {
+    const Point at = (ToFace(c) * arrival.back)(arrival.point.at);
+    if (!IsFit(at, Position(Next(c)), Position(Prev(c)), least_height)) return false;
+  }
+  for (const Index c : around) corner_[c].to_face = ToFace(c) * arrival.back;
+  vertices_[v].point = arrival.point;
+  vertices_[v].distance = distance;
+  return true;
+}
+
+bool FlatMesh::Move(Index v, const Point& target, double least_height) {
+  if (vertices_[v].kind != Kind::kFree) return false;
+  const auto arrival = domain_.Trace(vertices_[v].point, target);
+  return arrival && PutAt(v, *arrival, 0, least_height);
+}
+
+bool FlatMesh::Slide(Index v, double distance, double least_height) {
+  const Vertex& vertex = vertices_[v];
+  if (vertex.kind != Kind::kOnBoundary) return false;
+  const double whole = domain_.loops()[vertex.loop].length();
+  const FlatDomain::Arrival arrival = domain_.AlongLoop(vertex.loop, vertex.distance, distance);
+  return PutAt(v, arrival, distance - std::floor(distance / whole) * whole, least_height);
+}
+
+Triangulation FlatMesh::MakeTriangulation(std::vector<Index>* kept) const {
+  std::vector<Index> number(vertices_.size(), kNone), face_number(corner_.size() / 3, kNone);
+  kept->clear();
+  for (Index v = 0; v < num_vertices(); ++v) {
+    if (vertices_[v].IsGone()) continue;
+    number[v] = static_cast<Index>(kept->size());
+    kept->push_back(v);
+  }
+  Index faces = 0;
+  for (Index h = 0; h < num_halfedges(); h += 3) {
+    if (!IsGone(h)) face_number[h / 3] = faces++;
+  }
+  std::vector<Index> vertex, twin;
+  for (Index h = 0; h < num_halfedges(); ++h) {
+    if (IsGone(h)) continue;
+    vertex.push_back(number[VertexAt(h)]);
+    twin.push_back(Twin(h) == kNone ? kNone : 3 * face_number[Face(Twin(h))] + Twin(h) % 3);
+  }
+  return NumberEdges(static_cast<Index>(kept->size()), std::move(vertex), std::move(twin));
+}
+
+}  // namespace cirque

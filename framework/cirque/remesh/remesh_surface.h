@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cirque/core/enum_words.h"
+#include "cirque/core/option_table.h"
+#include "cirque/core/solve_summary.h"
+#include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
+#include "cirque/layout/exact_map.h"
+#include "cirque/mesh/surface.h"
+#include "cirque/pipeline/parameterization.h"
+
+namespace cirque {
+
+/// Where edges shall be of one length: on the surface, or in the flat metric, where triangles then are
+/// even and on the surface as large as the metric's scale makes them.
+enum class EvenOn { kSurface, kMap };
+
+template <>
+inline constexpr auto kEnumWords<EvenOn> =
+    std::to_array<EnumWord<EvenOn>>({{EvenOn::kSurface, "surface"}, {EvenOn::kMap, "map"}});
+
+/// What a new mesh of a surface shall be like.
+struct RemeshOptions {
+  double edge = 0;   ///< length of edges on the surface, > 0; 0: by `vertices`
+  int vertices = 0;  ///< about so many; 0: by `edge`
+  EvenOn even_on = EvenOn::kSurface;
+  double corners = 40;  ///< [degrees]: a boundary that turns by more keeps its vertex
+  int rounds = 8;
+  /// V of the surface, > 0: of how many times as many vertices per area; empty: 1.
+  Eigen::VectorXd density = {};
+};
+
+/// The table of its fields but `density`.
+const OptionTable<RemeshOptions>& RemeshOptionTable();
+
+/// A new mesh of a surface: its vertices are points of it.
+struct RemeshedSurface {
+  Triangulation triangulation;  ///< no face has a vertex twice, no two vertices have two edges
+  std::vector<SurfacePoint> point;  ///< V: where on the old surface
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Index> cones;  ///< its vertices that are cones of the flat metric
+  double edge = 0;           ///< length of edges that was asked for in the end
+};
+
+/// The most vertices that may be asked for, by `vertices` or by way of `edge`.
+inline constexpr double kMostNewVertices = 2e7;
+
+/// Meshes a surface anew, by even triangles of a flat cone metric conformal to it: angles there are
+/// those on the surface as far as the map is conformal, and seams are nowhere, as nothing is laid
+/// out (MakeEvenTriangles). Vertices are found on the old surface by its exact map. Topology, cones
+/// and boundary loops stay.
+/// Errors: kInvalidInput, options that ask for nothing or for too much; kNotConverged, a map that is
+/// not of one flat metric of the whole surface (free seams), or as MakeEvenTriangles.
+/// @pre `map` was made with ParameterizeOptions::exact of `surface`.
+StatusOr<RemeshedSurface> RemeshSurface(const Surface& surface, const Parameterization& map,
+                                        const RemeshOptions& options,
+                                        const SolveControl& control = {});
+
+}  // namespace cirque
