@@ -40,8 +40,8 @@ StatusOr<Eigen::VectorXd> ReadDensity(const std::string& path, std::size_t verti
     values.push_back(*number);
   }
   if (values.size() != vertices) {
-    return Status::InvalidInput(fmt::format("{}: {} numbers; the mesh has {} vertices", path,
-                                            values.size(), vertices));
+    return Status::InvalidInput(
+        fmt::format("{}: {} numbers; the mesh has {} vertices", path, values.size(), vertices));
   }
   return Eigen::VectorXd(
       Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())));

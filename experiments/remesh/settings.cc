@@ -60,9 +60,9 @@ Manual RemeshManual() {
                      {"2", "bad input, or the machine failed"},
                      {"3", "there is no such map, as is proven"},
                      {"4", "the map exceeds what doubles hold"}};
-  manual.first = {"edge",  "vertices", "even",     "density",        "corners", "cones",
-                  "cone_budget", "holonomy", "correspondence", "report",  "measure",
-                  "quiet", "help",     "version"};
+  manual.first = {"edge",    "vertices",    "even",     "density",        "corners",
+                  "cones",   "cone_budget", "holonomy", "correspondence", "report",
+                  "measure", "quiet",       "help",     "version"};
   manual.groups = {"Mesh", "Output", "Cones", "Solver", "Program"};
   return manual;
 }

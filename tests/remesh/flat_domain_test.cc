@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "cirque/mesh/surface.h"
@@ -29,15 +30,15 @@ TEST(FlatDomain, StraightWaysAreThoseOfThePlane) {
   const Surface strip = FlatStrip(6, 4);
   const FlatDomain domain = DomainOf(strip);
   EXPECT_NEAR(domain.area(), 24, 1e-12);
-  const FlatPoint centre = {
-      0, (domain.Corner(0) + domain.Corner(1) + domain.Corner(2)) / 3};
+  const FlatPoint centre = {0, (domain.Corner(0) + domain.Corner(1) + domain.Corner(2)) / 3};
   const Eigen::Vector2d from = OnStrip(domain, strip, centre);
   // The frame of face 0 is turned against the plane by what takes its first side there.
   const Eigen::Vector2d side = strip.position[strip.triangulation.vertex[1]].head<2>() -
                                strip.position[strip.triangulation.vertex[0]].head<2>();
   const double turn = std::atan2(side.y(), side.x());
   for (int i = 0; i < 40; ++i) {
-    const Eigen::Vector2d target(0.1 + 5.8 * std::fmod(0.37 * i, 1), 0.1 + 3.8 * std::fmod(0.61 * i, 1));
+    const Eigen::Vector2d target(0.1 + 5.8 * std::fmod(0.37 * i, 1),
+                                 0.1 + 3.8 * std::fmod(0.61 * i, 1));
     const Eigen::Vector2d step = Eigen::Rotation2Dd(-turn) * (target - from);
     const auto arrival = domain.Trace(centre, centre.at + step);
     ASSERT_TRUE(arrival) << i;
@@ -60,8 +61,9 @@ TEST(FlatDomain, WaysBeginAtVertices) {
       const Eigen::Vector2d step = 0.9 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       const auto arrival = domain.Trace(start, start.at + step);
       ASSERT_TRUE(arrival) << c << " " << i;
-      EXPECT_NEAR((OnStrip(domain, strip, arrival->point) -
-                   strip.position[t.vertex[c]].head<2>()).norm(), 0.9, 1e-12);
+      EXPECT_NEAR(
+          (OnStrip(domain, strip, arrival->point) - strip.position[t.vertex[c]].head<2>()).norm(),
+          0.9, 1e-12);
     }
   }
 }

@@ -45,8 +45,10 @@ void ExpectSound(const FlatMesh& mesh) {
     EXPECT_EQ(mesh.Tip(t), mesh.Tail(h));
     EXPECT_NEAR(mesh.Length(t), mesh.Length(h), 1e-10);
     const RigidMotion across = mesh.Across(h);
-    EXPECT_LT((across(mesh.Position(Triangulation::Next(t))) -
-               mesh.Position(Triangulation::Prev(h))).norm(), 1e-10);
+    EXPECT_LT(
+        (across(mesh.Position(Triangulation::Next(t))) - mesh.Position(Triangulation::Prev(h)))
+            .norm(),
+        1e-10);
   }
   for (Index v = 0; v < mesh.num_vertices(); ++v) {
     if (mesh.vertex(v).IsGone()) continue;
@@ -102,7 +104,9 @@ TEST_P(FlatMeshTest, IsSoundThroughRandomOperations) {
   const Triangulation made = mesh.MakeTriangulation(&kept);
   EXPECT_EQ(EulerCharacteristic(made), euler);
   EXPECT_EQ(BoundaryLoops(made).size(), BoundaryLoops(surface.triangulation).size());
-  if (domain.loops().empty()) EXPECT_NEAR(AreaOf(mesh) / domain.area(), 1, 1e-10);
+  if (domain.loops().empty()) {
+    EXPECT_NEAR(AreaOf(mesh) / domain.area(), 1, 1e-10);
+  }
 }
 
 TEST_P(FlatMeshTest, DelaunayTrianglesHaveTheMetricsArea) {
@@ -123,8 +127,9 @@ TEST(FlatMesh, RefusesWhatWouldBeNoTriangulation) {
   EXPECT_EQ(mesh.num_alive(), 6 + 8) << "a vertex in every face of three cones";
   const auto never = [](Index, Index, double) { return false; };
   for (Index h = 0; h < mesh.num_halfedges(); ++h) {
-    if (!mesh.IsGone(h) && mesh.vertex(mesh.Tail(h)).kind == FlatMesh::Kind::kCone)
+    if (!mesh.IsGone(h) && mesh.vertex(mesh.Tail(h)).kind == FlatMesh::Kind::kCone) {
       EXPECT_FALSE(mesh.Collapse(h, false, 0, never)) << "a cone stays";
+    }
   }
   const FlatDomain tetrahedron = DomainOf(RegularPolyhedron(4));
   FlatMesh small = MeshOf(tetrahedron);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,7 +119,8 @@ TEST(RemeshSurface, KeepsCornersAndFlatBoundaries) {
   for (Index f = 0; f < made.triangulation.num_faces(); ++f) {
     const Index* v = &made.triangulation.vertex[3 * f];
     area += 0.5 * (made.position[v[1]] - made.position[v[0]])
-                      .cross(made.position[v[2]] - made.position[v[0]]).z();
+                      .cross(made.position[v[2]] - made.position[v[0]])
+                      .z();
   }
   EXPECT_NEAR(area, 24, 1e-10) << "the rectangle, all triangles of one orientation";
   EXPECT_GT(quality.least_angle, 25);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,12 +72,18 @@ class Remesher {
   double Wanted(Index a, Index b) const { return std::sqrt(size_[a] * size_[b]); }
   double Ratio(Index h) const { return mesh_.Length(h) / Wanted(mesh_.Tail(h), mesh_.Tip(h)); }
 
+  /// The longest first: splits renumber the other sides of their triangles, and in any other order
+  /// some edges would never have their turn.
   void SplitLong() {
     for (int pass = 0; pass < kMostPasses; ++pass) {
+      std::vector<std::pair<double, Index>> edges;
+      for (Index h = 0; h < mesh_.num_halfedges(); ++h) {
+        if (StandsForEdge(mesh_, h) && Ratio(h) > kLong) edges.emplace_back(-Ratio(h), h);
+      }
+      std::sort(edges.begin(), edges.end());
       int count = 0;
-      const Index halfedges = mesh_.num_halfedges();
-      for (Index h = 0; h < halfedges; ++h) {
-        if (!StandsForEdge(mesh_, h) || Ratio(h) <= kLong || mesh_.Split(h) == kNone) continue;
+      for (const auto& [ratio, h] : edges) {
+        if (Ratio(h) <= kLong || mesh_.Split(h) == kNone) continue;
         Measure();
         ++count;
       }
@@ -147,8 +154,8 @@ class Remesher {
     for (const Index c : mesh_.CornersAround(v)) {
       const Point at = mesh_.Position(c), right = mesh_.Position(Next(c)),
                   left = mesh_.Position(Prev(c));
-      const double mean = std::cbrt(size_[v] * size_[mesh_.VertexAt(Next(c))] *
-                                    size_[mesh_.VertexAt(Prev(c))]);
+      const double mean =
+          std::cbrt(size_[v] * size_[mesh_.VertexAt(Next(c))] * size_[mesh_.VertexAt(Prev(c))]);
       const double weight = Cross(at, right, left) * std::pow(size_[v] / mean, 4);
       sum += weight * mesh_.ToFace(c).Inverse()((at + right + left) / 3);
       mass += weight;
@@ -193,6 +200,19 @@ double SizeField::At(const FlatPoint& point) const {
   const Index* v = &domain_.triangulation().vertex[3 * point.face];
   return std::exp(weight[0] * log_size_[v[0]] + weight[1] * log_size_[v[1]] +
                   weight[2] * log_size_[v[2]]);
+}
+
+double MeanLengthRatio(const SizeField& size, const FlatMesh& mesh) {
+  double sum = 0;
+  std::int64_t edges = 0;
+  for (Index h = 0; h < mesh.num_halfedges(); ++h) {
+    if (!StandsForEdge(mesh, h)) continue;
+    const double wanted =
+        size.At(mesh.vertex(mesh.Tail(h)).point) * size.At(mesh.vertex(mesh.Tip(h)).point);
+    sum += mesh.Length(h) / std::sqrt(wanted);
+    ++edges;
+  }
+  return sum / static_cast<double>(edges);
 }
 
 void FlipToDelaunay(FlatMesh* mesh) {

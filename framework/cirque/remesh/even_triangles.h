@@ -36,6 +36,9 @@ class SizeField {
 Status MakeEvenTriangles(const SizeField& size, int rounds, const SolveControl& control,
                          FlatMesh* mesh);
 
+/// The mean of the lengths of edges over what is wanted there (the geometric mean at their ends).
+double MeanLengthRatio(const SizeField& size, const FlatMesh& mesh);
+
 /// Turns edges until all are Delaunay to 1e-9 rad, but for those that would make a second edge
 /// between two vertices.
 void FlipToDelaunay(FlatMesh* mesh);

@@ -12,7 +12,7 @@ namespace {
 using Point = Eigen::Vector2d;
 
 constexpr double kRounding = 1e-11;  ///< by which a point may lie outside its face, relatively
-constexpr int kMostFaces = 1 << 20;  ///< that a way may cross; more is rounding going in circles
+constexpr int kMostFaces = 1 << 14;  ///< that a way may cross; more is rounding going in circles
 
 /// A straight way through the faces of a domain, in the frame of the face where it is.
 class Way {
@@ -65,8 +65,8 @@ class Way {
 
   bool IsHere() const {
     const Index a = 3 * face_;
-    const double least = -kRounding * cirque::Cross(domain_.Corner(a), domain_.Corner(a + 1),
-                                                    domain_.Corner(a + 2));
+    const double least =
+        -kRounding * cirque::Cross(domain_.Corner(a), domain_.Corner(a + 1), domain_.Corner(a + 2));
     return Outside(a) <= -least && Outside(a + 1) <= -least && Outside(a + 2) <= -least;
   }
 

@@ -52,7 +52,7 @@ class FlatDomain {
   /// A boundary loop, by the distance along it from its beginning, the surface on the left.
   struct Loop {
     std::vector<Index> halfedges;
-    std::vector<double> begin;        ///< of every halfedge, and the length of the whole
+    std::vector<double> begin;          ///< of every halfedge, and the length of the whole
     std::vector<RigidMotion> to_first;  ///< from the frame at a halfedge to that of the first
     double length() const { return begin.back(); }
   };

@@ -9,6 +9,9 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
+/// Height over longest side of the flattest triangles that are made: frames agree to less.
+constexpr double kSliver = 1e-8;
+
 Index Next(Index h) { return Triangulation::Next(h); }
 Index Prev(Index h) { return Triangulation::Prev(h); }
 Index Face(Index h) { return Triangulation::Face(h); }
@@ -151,7 +154,7 @@ bool FlatMesh::Flip(Index h) {
   const RigidMotion across = Across(h);
   const Placed c = At(h), a = At(Next(h)), b = At(Prev(h)), d = Seen(across, t);
   const auto at = [this](const Placed& p) { return p.to_face(vertices_[p.vertex].point.at); };
-  if (!IsFit(at(c), at(a), at(d), 0) || !IsFit(at(d), at(b), at(c), 0)) return false;
+  if (!IsFit(at(c), at(a), at(d), kSliver) || !IsFit(at(d), at(b), at(c), kSliver)) return false;
   if (c.vertex == d.vertex || HasEdge(c.vertex, d.vertex)) return false;
   if (IsCone(c.vertex) && IsCone(d.vertex) && (IsCone(a.vertex) || IsCone(b.vertex))) return false;
   MoveRim({Next(t), Prev(h), Next(h), Prev(t)}, {3 * f, 3 * f + 2, 3 * g, 3 * g + 2});
@@ -165,8 +168,7 @@ std::optional<FlatDomain::Arrival> FlatMesh::TraceIn(Index face, const Point& ta
                                                      Index* from) const {
   for (Index c = 3 * face; c < 3 * face + 3; ++c) {
     if (IsCone(VertexAt(c))) continue;
-    auto arrival =
-        domain_.Trace(vertices_[VertexAt(c)].point, ToFace(c).Inverse()(target));
+    auto arrival = domain_.Trace(vertices_[VertexAt(c)].point, ToFace(c).Inverse()(target));
     if (!arrival) continue;
     *from = c;
     return arrival;
@@ -207,15 +209,16 @@ Index FlatMesh::SplitBoundary(Index h) {
   const Index f = Face(h);
   const Vertex &tail = vertices_[Tail(h)], &tip = vertices_[Tip(h)];
   const double whole = domain_.loops()[tail.loop].length();
-  const double ahead =
-      tip.distance > tail.distance ? tip.distance - tail.distance : tip.distance + whole - tail.distance;
+  const double ahead = tip.distance > tail.distance ? tip.distance - tail.distance
+                                                    : tip.distance + whole - tail.distance;
   double distance = tail.distance + ahead / 2;
   const FlatDomain::Arrival arrival = domain_.AlongLoop(tail.loop, tail.distance, distance);
   if (distance >= whole) distance -= whole;
   const Index v = num_vertices();
   const Placed m = {v, ToFace(Next(h)) * arrival.back};
   const Point at = m.to_face(arrival.point.at);
-  if (!IsFit(Position(h), Position(Next(h)), at, 0) || !IsFit(Position(h), at, Position(Prev(h)), 0))
+  if (!IsFit(Position(h), Position(Next(h)), at, kSliver) ||
+      !IsFit(Position(h), at, Position(Prev(h)), kSliver))
     return kNone;
   const Placed c = At(h), a = At(Next(h)), b = At(Prev(h));
   vertices_.push_back({arrival.point, Kind::kOnBoundary, tail.loop, distance, kNone});

@@ -29,8 +29,8 @@ class FlatMesh {
   struct Vertex {
     FlatPoint point;
     Kind kind = Kind::kFree;
-    Index loop = kNone;   ///< on the boundary
-    double distance = 0;  ///< along it
+    Index loop = kNone;    ///< on the boundary
+    double distance = 0;   ///< along it
     Index corner = kNone;  ///< one of its corners; kNone: it is gone
 
     bool IsOnBoundary() const { return loop != kNone; }

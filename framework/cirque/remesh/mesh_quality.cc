@@ -36,8 +36,8 @@ double LargestDistance(const Triangles& from, const TriangleTree& tree) {
   double largest = 0;
   for (std::size_t i = 0; i + 2 < from.size(); i += 3) {
     const Point &a = from[i], &b = from[i + 1], &c = from[i + 2];
-    for (const Point& p : {a, Point((a + b) / 2), Point((b + c) / 2), Point((c + a) / 2),
-                           Point((a + b + c) / 3)}) {
+    for (const Point& p :
+         {a, Point((a + b) / 2), Point((b + c) / 2), Point((c + a) / 2), Point((a + b + c) / 3)}) {
       largest = std::max(largest, tree.Distance(p));
     }
   }

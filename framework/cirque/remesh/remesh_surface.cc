@@ -30,21 +30,21 @@ class SurfaceRemesher {
 
   StatusOr<RemeshedSurface> Run() {
     if (Status s = Check(); !s.ok()) return s;
+    // Edges are split and collapsed about a length, which need not be their mean, and those near the
+    // boundary, cones and corners are not as the lattice has them: what comes of a length says by how
+    // much to ask for another.
     double edge = FirstEdge();
-    // Edges near the boundary, of cones and of corners are not as the lattice has them: what came of
-    // a length says how many more or fewer are wanted.
     for (int trial = 0;; ++trial) {
-      StatusOr<RemeshedSurface> made = Make(edge);
-      if (!made.ok() || options_.edge > 0 || trial == kTrials) return made;
-      const double ratio = static_cast<double>(made->point.size()) / options_.vertices;
-      if (std::abs(ratio - 1) < kNearEnough) return made;
-      edge *= std::clamp(std::sqrt(ratio), 0.5, 2.);
+      double excess = 1;
+      StatusOr<RemeshedSurface> made = Make(edge, &excess);
+      if (!made.ok() || trial == kTrials || std::abs(excess - 1) < kNearEnough) return made;
+      edge *= std::clamp(excess, 0.5, 2.);
     }
   }
 
  private:
   static constexpr int kTrials = 4;
-  static constexpr double kNearEnough = 0.01;
+  static constexpr double kNearEnough = 0.005;
 
   /// Half the log of the flat area over the surface's, at every vertex by its triangles.
   void MeasureScale() {
@@ -100,12 +100,17 @@ class SurfaceRemesher {
     return corner;
   }
 
-  StatusOr<RemeshedSurface> Make(double edge) {
+  /// `excess`: by what factor edges should have been longer.
+  StatusOr<RemeshedSurface> Make(double edge, double* excess) {
     control_.BeginStage("remeshing");
     FlatMesh mesh(domain_, Corners());
-    const SizeField size(domain_, ((log_scale_ - log_density_ / 2).array() + std::log(edge)).matrix());
+    const SizeField size(domain_,
+                         ((log_scale_ - log_density_ / 2).array() + std::log(edge)).matrix());
     if (Status s = MakeEvenTriangles(size, options_.rounds, control_, &mesh); !s.ok()) return s;
-    return OnSurface(mesh, edge);
+    *excess = options_.edge > 0
+                  ? options_.edge / (edge * MeanLengthRatio(size, mesh))
+                  : std::sqrt(static_cast<double>(mesh.num_alive()) / options_.vertices);
+    return OnSurface(mesh, edge * MeanLengthRatio(size, mesh));
   }
 
   RemeshedSurface OnSurface(const FlatMesh& mesh, double edge) const {
@@ -147,8 +152,8 @@ Status CheckOptions(const Surface& surface, const Parameterization& map,
                         !(options.density.minCoeff() > 0) || !options.density.allFinite())) {
     return Status::InvalidInput("densities: a positive number a vertex is needed");
   }
-  if (!map.exact_map || !map.flat.exact || map.flat.exact->intrinsic.triangulation.num_vertices !=
-                                               surface.triangulation.num_vertices) {
+  if (!map.exact_map || !map.flat.exact ||
+      map.flat.exact->intrinsic.triangulation.num_vertices != surface.triangulation.num_vertices) {
     return {StatusCode::kNotConverged,
             "remeshing: there is no flat metric of the whole surface; leave out free seams"};
   }
@@ -160,27 +165,27 @@ Status CheckOptions(const Surface& surface, const Parameterization& map,
 const OptionTable<RemeshOptions>& RemeshOptionTable() {
   using O = RemeshOptions;
   static const OptionTable<O> kTable(
-      "remesh",
-      {Option<O>("edge", &O::edge, "length of edges on the surface").Between(0, 1e300).About("Mesh"),
-       Option<O>("vertices", &O::vertices, "about how many vertices, instead of --edge")
-           .Between(0, kMostNewVertices)
-           .About("Mesh"),
-       Option<O>("even", &O::even_on,
-                 "where edges are of one length: on the surface, or in the flat metric")
-           .About("Mesh"),
-       Option<O>("corners", &O::corners, "vertices stay where the boundary turns by more")
-           .Between(0, 180)
-           .Unit("degrees")
-           .About("Mesh"),
-       Option<O>("rounds", &O::rounds, "of splitting, collapsing, turning and moving")
-           .Between(1, 1000)
-           .About("Mesh")});
+      "remesh", {Option<O>("edge", &O::edge, "length of edges on the surface")
+                     .Between(0, 1e300)
+                     .About("Mesh"),
+                 Option<O>("vertices", &O::vertices, "about how many vertices, instead of --edge")
+                     .Between(0, kMostNewVertices)
+                     .About("Mesh"),
+                 Option<O>("even", &O::even_on,
+                           "where edges are of one length: on the surface, or in the flat metric")
+                     .About("Mesh"),
+                 Option<O>("corners", &O::corners, "vertices stay where the boundary turns by more")
+                     .Between(0, 180)
+                     .Unit("degrees")
+                     .About("Mesh"),
+                 Option<O>("rounds", &O::rounds, "of splitting, collapsing, turning and moving")
+                     .Between(1, 1000)
+                     .About("Mesh")});
   return kTable;
 }
 
 StatusOr<RemeshedSurface> RemeshSurface(const Surface& surface, const Parameterization& map,
-                                        const RemeshOptions& options,
-                                        const SolveControl& control) {
+                                        const RemeshOptions& options, const SolveControl& control) {
   if (Status s = CheckOptions(surface, map, options); !s.ok()) return s;
   return SurfaceRemesher(surface, map, options, control).Run();
 }

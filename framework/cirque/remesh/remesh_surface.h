@@ -39,11 +39,11 @@ const OptionTable<RemeshOptions>& RemeshOptionTable();
 
 /// A new mesh of a surface: its vertices are points of it.
 struct RemeshedSurface {
-  Triangulation triangulation;  ///< no face has a vertex twice, no two vertices have two edges
+  Triangulation triangulation;      ///< no face has a vertex twice, no two vertices have two edges
   std::vector<SurfacePoint> point;  ///< V: where on the old surface
   std::vector<Eigen::Vector3d> position;
   std::vector<Index> cones;  ///< its vertices that are cones of the flat metric
-  double edge = 0;           ///< length of edges that was asked for in the end
+  double edge = 0;           ///< mean length of its edges, where density is 1
 };
 
 /// The most vertices that may be asked for, by `vertices` or by way of `edge`.
