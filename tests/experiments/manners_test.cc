@@ -136,7 +136,7 @@ TEST_F(Manners, StandardInputAndOutput) {
 
 constexpr const char* kPrograms[] = {"circle_patterns",   "verify_map",     "run_experiment",
                                      "experiment_report", "audit_energies", "studies",
-                                     "transfer"};
+                                     "transfer",          "remesh"};
 
 TEST(ManualPages, EveryProgramAnswersTheSameQuestions) {
   for (const std::string program : kPrograms) {
