@@ -83,8 +83,8 @@ StatusOr<std::string> Gunzipped(const std::string& path, std::string_view packed
     if (!problem.empty()) return Status::InvalidInput(path + ": " + problem);
   }
   if (!packed.empty()) {
-    warnings->push_back(
-        fmt::format("{}: what is behind the packed content, {}, is ignored", path, Count(packed.size(), "byte")));
+    warnings->push_back(fmt::format("{}: what is behind the packed content, {}, is ignored", path,
+                                    Count(packed.size(), "byte")));
   }
   return out;
 }
