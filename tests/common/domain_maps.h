@@ -12,7 +12,7 @@ namespace cirque {
 inline std::string GeneratorFor(const std::string& domain) {
   if (domain == "annulus" || domain == "strip") return "annulus";
   if (domain == "torus") return "torus";
-  if (domain == "round_holes") return "annulus";
+  if (domain == "round_holes") return "catenoid";
   return domain == "sphere" ? "blob" : "hemisphere";
 }
 

@@ -153,7 +153,8 @@ TEST_P(EveryDomain, RefusesSurfacesAndRequestsThatDoNotFit) {
   };
   if (domain_ != "plane") {
     for (const char* other : {"hemisphere", "annulus", "blob", "torus"}) {
-      if (other == GeneratorFor(domain_)) continue;
+      const bool is_ring = std::string(other) == "annulus";
+      if (other == GeneratorFor(domain_) || (is_ring && domain_ == "round_holes")) continue;
       EXPECT_FALSE(refusal(GeneratedSurface(other, 200), RequestFor(domain_)).empty()) << other;
     }
   }

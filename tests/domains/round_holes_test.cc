@@ -100,7 +100,7 @@ Surface BentByExponential(const Surface& plane) {
 TEST(MapToRoundHoles, OfARingHasItsModulus) {
   const double wanted = std::log(1 / kEccentricConformalRadius);
   double before = 1;
-  for (const Index triangles : {500, 2000, 8000}) {
+  for (const Index triangles : {250, 1000, 4000}) {
     const Surface ring = BentByExponential(GeneratedSurface("eccentric_annulus", triangles));
     const std::vector<Circle> circles = CirclesOf(ring, MustRound(ring));
     const double error =
@@ -108,7 +108,7 @@ TEST(MapToRoundHoles, OfARingHasItsModulus) {
     EXPECT_LT(error, 0.7 * before) << triangles;
     before = error;
   }
-  EXPECT_LT(before, 2e-3);
+  EXPECT_LT(before, 3e-3);
 }
 
 // What has round holes stays as it is.
@@ -130,7 +130,7 @@ TEST(MapToRoundHoles, KeepsARingThatIsRound) {
 // By Koebe's theorem round holes are unique up to Moebius maps: a map of the plate and one of the plate
 // after a conformal map of the plane see the same inversive distances.
 TEST(MapToRoundHoles, AreTheSameOfAConformalImage) {
-  const Surface plate = GeneratedSurface("plate_with_holes", 4000);
+  const Surface plate = GeneratedSurface("plate_with_holes", 2000);
   const Surface bent = BentByExponential(plate);
   const std::vector<Circle> here = CirclesOf(plate, MustRound(plate));
   const std::vector<Circle> there = CirclesOf(bent, MustRound(bent));
