@@ -42,7 +42,7 @@ DEFINE_double(seam_tolerance, 1e-6,
               "how far the lengths of a seam's two sides may differ, relatively");
 DEFINE_string(domain, "plane",
               "plane: OUT's texture coordinates; disk: with their boundary on the unit circle, in "
-              "order; sphere: OUT's points");
+              "order; round_holes: and those of holes on circles; sphere: OUT's points");
 DEFINE_double(circle_tolerance, 1e-14, "how far a boundary vertex may be off the unit circle");
 DEFINE_bool(require_injective, false, "a map that overlaps itself is invalid");
 DEFINE_bool(require_rigid_seams, false, "a seam whose two sides differ in length is invalid");
@@ -165,7 +165,8 @@ StatusOr<VerifyOptions> OptionsOfFlags(const PolygonSoup& in) {
   VerifyOptions options;
   options.position_tolerance = FLAGS_position_tolerance;
   options.angle_tolerance = FLAGS_angle_tolerance;
-  options.unit_disk = FLAGS_domain == "disk";
+  options.round_holes = FLAGS_domain == "round_holes";
+  options.unit_disk = options.round_holes || FLAGS_domain == "disk";
   options.circle_tolerance = FLAGS_circle_tolerance;
   options.require_injective = FLAGS_require_injective;
   options.seams.tolerance = FLAGS_seam_tolerance;
@@ -226,7 +227,7 @@ int Main(int argc, char** argv) {
   const StatusOr<std::vector<std::string>> files = line.Parse({argv + 1, argv + argc});
   if (!files.ok()) return Complain(files.status());
   if (const auto answered = AnswerQuestions(ProgramManual(), line, *files)) return *answered;
-  const std::vector<std::string> domains = {"plane", "disk", "sphere"};
+  const std::vector<std::string> domains = {"plane", "disk", "round_holes", "sphere"};
   if (std::find(domains.begin(), domains.end(), FLAGS_domain) == domains.end()) {
     return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, domains)));
   }

@@ -77,5 +77,52 @@ TEST(VerifyDisk, AnEdgeOverMoreThanHalfOfTheCircleIsNoErrorOfOrder) {
   EXPECT_EQ(JudgeDisk(mesh).disk->turns, 1);
 }
 
+/// The ring between the unit circle and that of radius 0.3 about (0.4, 0), n triangles a row.
+PolygonSoup Ring(Index n) {
+  std::vector<Eigen::Vector3d> position;
+  std::vector<Eigen::Vector2d> uv;
+  std::vector<Triangle> triangles;
+  for (const bool inner : {false, true}) {
+    for (Index i = 0; i < n; ++i) {
+      const double angle = 2 * kPi * i / n, radius = inner ? 0.3 : 1;
+      uv.emplace_back(radius * std::cos(angle) + (inner ? 0.4 : 0), radius * std::sin(angle));
+      position.emplace_back(uv.back().x(), uv.back().y(), 0.1 * i / n);
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    const Index next = (i + 1) % n;
+    triangles.push_back({i, next, n + i});
+    triangles.push_back({next, n + next, n + i});
+  }
+  return WithVertexUv(MakeSoup(std::move(position), triangles), std::move(uv));
+}
+
+MapReport JudgeHoles(const PolygonSoup& mesh) {
+  VerifyOptions options;
+  options.unit_disk = options.round_holes = true;
+  return Judge(mesh, mesh, options);
+}
+
+TEST(VerifyRoundHoles, ARingBetweenCirclesIsValid) {
+  const MapReport report = JudgeHoles(Ring(12));
+  EXPECT_TRUE(report.valid()) << report.Verdict();
+  EXPECT_EQ(report.holes->holes, 1);
+  EXPECT_LT(report.holes->largest_error, 1e-15);
+}
+
+TEST(VerifyRoundHoles, AVertexOfAHoleOffItsCircleIsFound) {
+  PolygonSoup mesh = Ring(12);
+  mesh.texture[12 + 5] += Eigen::Vector2d(1e-9, 1e-9);
+  const MapReport report = JudgeHoles(mesh);
+  EXPECT_FALSE(report.valid());
+  EXPECT_EQ(report.holes->off_circle, std::vector<Index>{12 + 5});
+}
+
+TEST(VerifyRoundHoles, ADiskHasNone) {
+  const MapReport report = JudgeHoles(Wheel(kRim));
+  EXPECT_FALSE(report.valid());
+  EXPECT_THAT(report.Verdict(), HasSubstr("no holes"));
+}
+
 }  // namespace
 }  // namespace cirque::verify

@@ -29,10 +29,10 @@ double EnclosedArea(const UvComplex& complex, const std::vector<Index>& loop) {
   return 0.5 * twice;
 }
 
-/// The halfedges of the boundary loop that encloses the largest area.
-std::vector<Index> OutermostLoop(const UvComplex& complex) {
+/// The halfedges of every boundary loop, that which encloses the largest area first.
+std::vector<std::vector<Index>> LoopsOutermostFirst(const UvComplex& complex) {
   std::vector<bool> seen(complex.uv.size(), false);
-  std::vector<Index> outermost;
+  std::vector<std::vector<Index>> loops;
   double largest = -HUGE_VAL;
   for (Index start = 0; start < static_cast<Index>(seen.size()); ++start) {
     if (complex.surface.twin[start] != kNone || seen[start]) continue;
@@ -42,10 +42,20 @@ std::vector<Index> OutermostLoop(const UvComplex& complex) {
       loop.push_back(h);
     }
     const double area = EnclosedArea(complex, loop);
-    if (area > largest) outermost = loop;
+    loops.push_back(std::move(loop));
+    if (area > largest) std::swap(loops.front(), loops.back());
     largest = std::max(largest, area);
   }
-  return outermost;
+  return loops;
+}
+
+/// The centre of the circle through three points; not finite where they lie on a line.
+Point CentreOf(const Point& a, const Point& b, const Point& c) {
+  const Point u = b - a, v = c - a;
+  const double twice = 2 * (u.x() * v.y() - u.y() * v.x());
+  return a + Point(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(),
+                   u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
+                 twice;
 }
 
 /// x^2 + y^2 - 1 from exact products, halved: | |p| - 1 | to rounding of its own size.
@@ -68,7 +78,9 @@ bool Precedes(const Point& a, const Point& b) {
 
 DiskFit FitDisk(const UvComplex& complex, double tolerance) {
   DiskFit fit;
-  for (const Index h : OutermostLoop(complex)) {
+  const std::vector<std::vector<Index>> loops = LoopsOutermostFirst(complex);
+  if (loops.empty()) return fit;
+  for (const Index h : loops.front()) {
     ++fit.num_vertices;
     const Point &a = complex.Tail(h), &b = complex.Tip(h);
     const double error = CircleError(a);
@@ -103,6 +115,35 @@ std::vector<std::string> DiskErrors(const UvComplex& complex, const DiskFit& fit
                     fit.turns, IdList(fit.out_of_order)));
   }
   return errors;
+}
+
+HoleFit FitHoles(const UvComplex& complex, double tolerance) {
+  HoleFit fit;
+  const std::vector<std::vector<Index>> loops = LoopsOutermostFirst(complex);
+  for (std::size_t k = 1; k < loops.size(); ++k) {
+    const std::vector<Index>& loop = loops[k];
+    ++fit.holes;
+    const Point& first = complex.Tail(loop[0]);
+    const Point centre = CentreOf(first, complex.Tail(loop[loop.size() / 3]),
+                                  complex.Tail(loop[2 * loop.size() / 3]));
+    for (const Index h : loop) {
+      const double error = std::abs((complex.Tail(h) - centre).norm() - (first - centre).norm());
+      // Not a number: no circle.
+      if (!(error <= tolerance)) {
+        fit.off_circle.push_back(complex.mesh().Origin(complex.mesh().Tail(h)));
+      }
+      if (!(error <= fit.largest_error)) fit.largest_error = error;
+    }
+  }
+  return fit;
+}
+
+std::vector<std::string> HoleErrors(const HoleFit& fit, double tolerance) {
+  if (fit.holes == 0) return {"one boundary loop: the map has no holes"};
+  if (fit.off_circle.empty()) return {};
+  return {fmt::format("{} of holes off their circles ({}): by up to {:.3g}, {:.3g} allowed",
+                      Count(fit.off_circle.size(), "vertex"), IdList(fit.off_circle),
+                      fit.largest_error, tolerance)};
 }
 
 }  // namespace cirque::verify

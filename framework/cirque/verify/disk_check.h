@@ -20,6 +20,19 @@ struct DiskFit {
   std::vector<Index> out_of_order;  ///< vertices less than a half turn behind the one before
 };
 
+/// How the other loops of a map lie on circles, each on that through three of its vertices, a third of
+/// the loop apart.
+struct HoleFit {
+  Index holes = 0;
+  double largest_error = 0;       ///< distance of a vertex from its circle, the disk of radius 1
+  std::vector<Index> off_circle;  ///< vertices with a larger error than allowed
+};
+
+HoleFit FitHoles(const UvComplex& complex, double tolerance);
+
+/// What is wrong: no holes, vertices off their circles.
+std::vector<std::string> HoleErrors(const HoleFit& fit, double tolerance);
+
 /// Judges the map of a surface without seams; the order by exact orientation about 0.
 DiskFit FitDisk(const UvComplex& complex, double tolerance);
 

@@ -19,8 +19,10 @@ const OptionTable<JudgeOptions>& JudgeOptionTable() {
   using O = JudgeOptions;
   static const OptionTable<O> kTable(
       "verify",
-      {Option<O>("domain", &O::domain, "disk: the boundary must lie on the unit circle")
-           .OneOf({"plane", "disk", "sphere"}),
+      {Option<O>("domain", &O::domain,
+                 "disk: the boundary must lie on the unit circle; round_holes: and "
+                 "that of holes on circles")
+           .OneOf({"plane", "disk", "round_holes", "sphere"}),
        Option<O>("position_tolerance", &O::position_tolerance,
                  "a vertex may be off by this part of the bounding box")
            .Between(0, 1),
@@ -39,7 +41,8 @@ StatusOr<MapVerdict> JudgeMap(const PolygonSoup& mesh, const PolygonSoup& mapped
   verify::VerifyOptions wanted;
   wanted.position_tolerance = options.position_tolerance;
   wanted.angle_tolerance = options.angle_tolerance;
-  wanted.unit_disk = options.domain == "disk";
+  wanted.round_holes = options.domain == "round_holes";
+  wanted.unit_disk = wanted.round_holes || options.domain == "disk";
   wanted.circle_tolerance = options.circle_tolerance;
   wanted.require_injective = options.require_injective;
   const StatusOr<verify::MapReport> report = verify::VerifyMap(mesh, mapped, wanted);

@@ -13,7 +13,7 @@ namespace cirque {
 
 /// What a map must be, as the flags of verify_map say it.
 struct JudgeOptions {
-  std::string domain = "plane";      ///< "disk": the boundary lies on the unit circle
+  std::string domain = "plane";  ///< "disk": the boundary lies on the unit circle; "round_holes"
   double position_tolerance = 1e-6;  ///< a vertex may be off by this part of the bounding box
   double angle_tolerance = 1e-6;     ///< [rad]: a seam vertex off 2 pi by more is a cone
   double circle_tolerance = 1e-14;   ///< of the unit circle

@@ -145,6 +145,10 @@ void JudgeMap(const UvComplex& complex, const VerifyOptions& options, MapReport*
     report->disk = FitDisk(complex, options.circle_tolerance);
     Append(DiskErrors(complex, *report->disk, options.circle_tolerance), &report->errors);
   }
+  if (options.round_holes) {
+    report->holes = FitHoles(complex, options.hole_tolerance);
+    Append(HoleErrors(*report->holes, options.hole_tolerance), &report->errors);
+  }
   if (!oriented || !report->angles->wrapped.empty()) return;
   report->overlap = CheckOverlap(complex);
   if (options.require_injective) {

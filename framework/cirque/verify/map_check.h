@@ -21,8 +21,10 @@ struct VerifyOptions {
   double position_tolerance = 1e-6;  ///< a vertex may be off by this fraction of the bounding box
   double angle_tolerance = 1e-6;  ///< radians: a seam vertex off 2 pi by more is a cone, a vertex
                                   ///< off its target by more is an error
-  bool unit_disk = false;  ///< the boundary must lie on the unit circle, once round and in order
+  bool unit_disk = false;    ///< the boundary must lie on the unit circle, once round and in order
+  bool round_holes = false;  ///< and all other loops on circles
   double circle_tolerance = 1e-14;
+  double hole_tolerance = 1e-12;   ///< of the circles of holes, which are known by three vertices
   bool require_injective = false;  ///< an overlap makes the map invalid
   SeamLimits seams;                ///< so does a seam beyond these
   AngleTargets targets;            ///< angle sums; empty: none is asked for
@@ -53,6 +55,7 @@ struct MapReport {
   std::optional<AngleMeasures> angles;
   std::optional<SeamAgreement> seams;
   std::optional<DiskFit> disk;            ///< with unit_disk
+  std::optional<HoleFit> holes;           ///< with round_holes
   std::optional<OverlapResult> overlap;   ///< judged where no face is turned over or folded
   std::optional<UvComplex> complex;       ///< the map as it was judged, in IN's order
   std::optional<QualityFigures> quality;  ///< left for the caller to fill

@@ -106,6 +106,11 @@ std::string ToJson(const MapReport& report) {
     PutIds("boundary_off_circle", report.disk->off_circle, &json);
     PutIds("boundary_out_of_order", report.disk->out_of_order, &json);
   }
+  if (report.holes) {
+    json["holes"] = report.holes->holes;
+    json["hole_circle_error"] = report.holes->largest_error;
+    PutIds("hole_off_circle", report.holes->off_circle, &json);
+  }
   if (report.overlap) PutOverlap(*report.complex, *report.overlap, &json);
   return FiniteJson(std::move(json));
 }

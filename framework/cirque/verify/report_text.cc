@@ -130,6 +130,10 @@ std::string ToText(const MapReport& report) {
                                             Count(report.disk->num_vertices, "vertex"),
                                             report.disk->largest_error, report.disk->turns));
   }
+  if (report.holes) {
+    text += Line("round holes", fmt::format("{}, vertices off their circles by up to {:.3g}",
+                                            report.holes->holes, report.holes->largest_error));
+  }
   if (report.overlap) text += OverlapLines(*report.complex, *report.overlap);
   if (report.quality) text += QualityLines(*report.quality, report.noun);
   return text + "verdict: " + report.Verdict() + "\n";
