@@ -66,6 +66,27 @@ double CircleError(const Point& p) {
   return std::abs(((larger - 1) + smaller + rest) / (1 + p.norm()));
 }
 
+constexpr std::size_t kTriples = 3;  ///< that a hole's circle is sought through
+
+/// One hole, by the circle through three vertices from that one on.
+HoleFit FitHole(const UvComplex& complex, const std::vector<Index>& loop, std::size_t begin,
+                double tolerance) {
+  HoleFit fit;
+  const auto at = [&](std::size_t third) {
+    return complex.Tail(loop[(begin + third * loop.size() / 3) % loop.size()]);
+  };
+  const Point first = at(0), centre = CentreOf(first, at(1), at(2));
+  for (const Index h : loop) {
+    const double error = std::abs((complex.Tail(h) - centre).norm() - (first - centre).norm());
+    // Not a number: no circle.
+    if (!(error <= tolerance)) {
+      fit.off_circle.push_back(complex.mesh().Origin(complex.mesh().Tail(h)));
+    }
+    if (!(error <= fit.largest_error)) fit.largest_error = error;
+  }
+  return fit;
+}
+
 bool IsLowerHalf(const Point& p) { return p.y() < 0 || (p.y() == 0 && p.x() < 0); }
 
 /// Whether a has a smaller angle in [0, 2 pi) than b, exactly.
@@ -121,19 +142,14 @@ HoleFit FitHoles(const UvComplex& complex, double tolerance) {
   HoleFit fit;
   const std::vector<std::vector<Index>> loops = LoopsOutermostFirst(complex);
   for (std::size_t k = 1; k < loops.size(); ++k) {
-    const std::vector<Index>& loop = loops[k];
-    ++fit.holes;
-    const Point& first = complex.Tail(loop[0]);
-    const Point centre = CentreOf(first, complex.Tail(loop[loop.size() / 3]),
-                                  complex.Tail(loop[2 * loop.size() / 3]));
-    for (const Index h : loop) {
-      const double error = std::abs((complex.Tail(h) - centre).norm() - (first - centre).norm());
-      // Not a number: no circle.
-      if (!(error <= tolerance)) {
-        fit.off_circle.push_back(complex.mesh().Origin(complex.mesh().Tail(h)));
-      }
-      if (!(error <= fit.largest_error)) fit.largest_error = error;
+    HoleFit best = FitHole(complex, loops[k], 0, tolerance);
+    for (std::size_t begin = 1; begin < kTriples && !best.off_circle.empty(); ++begin) {
+      HoleFit other = FitHole(complex, loops[k], begin, tolerance);
+      if (other.off_circle.size() < best.off_circle.size()) best = std::move(other);
     }
+    ++fit.holes;
+    if (!(best.largest_error <= fit.largest_error)) fit.largest_error = best.largest_error;
+    fit.off_circle.insert(fit.off_circle.end(), best.off_circle.begin(), best.off_circle.end());
   }
   return fit;
 }

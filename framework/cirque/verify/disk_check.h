@@ -21,7 +21,7 @@ struct DiskFit {
 };
 
 /// How the other loops of a map lie on circles, each on that through three of its vertices, a third of
-/// the loop apart.
+/// the loop apart: of a few such circles that which most vertices lie on.
 struct HoleFit {
   Index holes = 0;
   double largest_error = 0;       ///< distance of a vertex from its circle, the disk of radius 1
