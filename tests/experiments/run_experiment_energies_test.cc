@@ -112,13 +112,13 @@ TEST_F(RunExperimentEnergies, LimitsOfTheStrategyAreOptionsOfIt) {
 
 TEST_F(RunExperimentEnergies, MistakesAreSaidWhereTheyStand) {
   const std::pair<const char*, const char*> mistakes[] = {
-      {"    energy: lorenz\n", "a.yaml:5:13: unknown energy 'lorenz'; did you mean 'lorentz'?"},
+      {"    energy: lorenz\n", "a.yaml:6:13: unknown energy 'lorenz'; did you mean 'lorentz'?"},
       {"    energy: lorentz\n    energy_solver: newtn\n", "did you mean 'newton'?"},
       {"    energy: lorentz\n    energy_solver: newton:max_iteration=1\n",
        "did you mean 'max_iterations'?"},
       {"    energy: lorentz\n    energy_start: middle\n", "unknown energy_start 'middle'"},
       {"    energy_solver: newton\n", "'energy_solver' has a meaning only beside 'energy'"},
-      {"    energy: lorentz\n    cones: greedy\n", "a.yaml:6:5: 'cones' has no meaning beside"},
+      {"    energy: lorentz\n    cones: greedy\n", "a.yaml:7:5: 'cones' has no meaning beside"},
       {"    energy: lorentz\n    domain: disk\n", "'domain' has no meaning beside 'energy'"},
   };
   for (const auto& [method, message] : mistakes) {

@@ -126,10 +126,8 @@ TEST_F(RunExperimentPeers, ALimitEndsAllThatTheProgramStarted) {
 }
 
 TEST_F(RunExperimentPeers, TimeAndMemoryAreOfTheProgramAndItsChildren) {
-  Script(
-      "large.sh",
-      "#!/bin/sh\nawk 'BEGIN{s = sprintf(\"%150000000s\", \"\"); print length(s)}' > /dev/null\n" +
-          Projection("1").substr(10));
+  Script("large.sh", "#!/bin/sh\ndd if=/dev/zero of=/dev/null bs=150M count=1 2> /dev/null\n" +
+                         Projection("1").substr(10));
   const std::string peer = "peer: {name: large, command: \"./large.sh {in} {out}\"}\n";
   const Record record = Run(peer).at(1);
   EXPECT_EQ(record["outcome"], "ok") << record["message"];

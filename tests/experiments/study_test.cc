@@ -190,6 +190,7 @@ nlohmann::json EnergyRecord(double n, const std::string& solver, const std::stri
   nlohmann::json record = ReportRecord("bumpy_terrain-" + std::to_string(n), "own," + solver, 1);
   record["mesh"]["family"] = "bumpy_terrain";
   record["mesh"]["triangles"] = n;
+  record["mesh"]["source"] = "bumpy_terrain triangles=1000 seed=1";
   record["method"] = {{"name", "own,energy_solver=" + solver},
                       {"energy", "circle_pattern"},
                       {"energy_solver", solver},

@@ -6,7 +6,7 @@ const kScale = 3, kMargin = 14, kLine = 18;
 function standaloneSvg(svg) {
   const copy = svg.cloneNode(true);
   const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-  Object.entries({ xmlns: "http://www.w3.org/2000/svg", width, height }).forEach(([key, value]) => copy.setAttribute(key, value));
+  Object.entries({ xmlns: svg.namespaceURI, width, height }).forEach(([key, value]) => copy.setAttribute(key, value));
   const copies = copy.querySelectorAll("*");
   svg.querySelectorAll("*").forEach((original, i) => {
     const style = getComputedStyle(original);
