@@ -129,11 +129,11 @@ TEST_F(RunExperimentPeers, TimeAndMemoryAreOfTheProgramAndItsChildren) {
   Script("large.sh", "#!/bin/sh\ndd if=/dev/zero of=/dev/null bs=150M count=1 2> /dev/null\n" +
                          Projection("1").substr(10));
   const std::string peer = "peer: {name: large, command: \"./large.sh {in} {out}\"}\n";
+  const Record limited = Run(peer, "memory_limit: 100\n").at(1);
+  EXPECT_EQ(limited["outcome"], "memory_limit") << limited["message"];
   const Record record = Run(peer).at(1);
   EXPECT_EQ(record["outcome"], "ok") << record["message"];
   EXPECT_GT(record["peak_memory_mib"], 140);
-  const Record limited = Run(peer, "memory_limit: 100\n").at(1);
-  EXPECT_EQ(limited["outcome"], "memory_limit") << limited["message"];
 }
 
 TEST_F(RunExperimentPeers, OurOwnProgramIsFoundBesideUs) {

@@ -94,13 +94,16 @@ Status RunProgram(const PlannedRun& run, const std::vector<std::string>& command
   if (!process.ok()) return process.status();
   double peak_mib = 0;
   const Timer timer;
-  const std::optional<std::string> ended_at = Await(run.limits, &*process, &peak_mib);
+  std::optional<std::string> ended_at = Await(run.limits, &*process, &peak_mib);
   result->seconds = timer.Seconds();
   result->cpu_seconds = result->map_cpu_seconds = process->CpuSeconds();
   // A process counts what it was before it became the program: this one's.
   const double peak_by_system = process->PeakMib();
   result->peak_memory_mib =
       peak_by_system > own_mib ? std::max(peak_by_system, peak_mib) : peak_mib;
+  // The last moments can pass between two looks at it.
+  const double most_mib = run.limits.memory_mib;
+  if (!ended_at && most_mib > 0 && result->peak_memory_mib > most_mib) ended_at = kMemoryLimit;
   if (ended_at) {
     SetOutcome(*ended_at, fmt::format("'{}' was ended at its limit", command[0]), result);
   } else if (!process->Succeeded()) {
