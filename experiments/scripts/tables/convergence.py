@@ -9,6 +9,7 @@ OUTPUT = "convergence"
 KINDS = {
     "known map, its boundary angles": "the smooth map is known, and the boundary has its angles",
     "known map, free boundary": "the smooth map is known, no boundary is asked for",
+    "known map, isometric boundary": "the smooth map is known, and the boundary's lengths stay as they are",
     "smooth limit": "Loop-refined towards a surface whose smooth map is not known: distance from the map of the next refinement",
 }
 FIRST, SECOND = 0.75, 1.75  # an order from there on is called first, second
@@ -23,7 +24,9 @@ def kind(run):
         return "smooth limit"
     if run.value("known_map_rms_error") is None:
         return None
-    return "known map, its boundary angles" if "boundary=known_map" in source(run) else "known map, free boundary"
+    if "boundary=known_map" in source(run):
+        return "known map, its boundary angles"
+    return "known map, isometric boundary" if run.group == "isometric" else "known map, free boundary"
 
 
 def error(run, norm):
