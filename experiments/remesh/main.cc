@@ -140,6 +140,12 @@ class Run {
     request.options = settings_.map;
     request.options.exact = true;
     request.options.refine_map = "none";
+    if (request.options.holonomy == HolonomyRule::kFree) {
+      if (settings_.mesh.lattice == MeshLattice::kSquares)
+        request.options.holonomy = HolonomyRule::kHalves;
+      if (settings_.mesh.lattice == MeshLattice::kTriangles)
+        request.options.holonomy = HolonomyRule::kThirds;
+    }
     const StatusOr<SurfaceMap> map = MapSurface(surface, request, control_);
     if (!map.ok()) return map.status();
     const StatusOr<RemeshOptions> options = OptionsFor(surface);
@@ -150,11 +156,21 @@ class Run {
       made_.position.push_back(made->position[v]);
       AddCorrespondence(surface, made->point[v]);
     }
-    for (const Index v : made->triangulation.vertex) made_.corner.push_back(first + v);
-    for (Index f = 0; f < made->triangulation.num_faces(); ++f)
-      made_.first_corner.push_back(made_.first_corner.back() + 3);
+    AddFaces(*made, first);
     report_ << fmt::format("edges       {:.6g}\ncones       {}\n", made->edge, made->cones.size());
     return Status();
+  }
+
+  void AddFaces(const RemeshedSurface& made, Index first) {
+    const bool squares = !made.squares.empty();
+    const auto add = [this, first](const auto* corners, Index count) {
+      for (Index k = 0; k < count; ++k) made_.corner.push_back(first + corners[k]);
+      made_.first_corner.push_back(made_.first_corner.back() + count);
+    };
+    for (const auto& square : made.squares) add(square.data(), 4);
+    if (squares) return;
+    for (Index f = 0; f < made.triangulation.num_faces(); ++f)
+      add(&made.triangulation.vertex[3 * f], 3);
   }
 
   void AddCorrespondence(const Surface& surface, const SurfacePoint& point) {
@@ -205,6 +221,7 @@ int Main(int argc, char** argv) {
     return Complain(Status::InvalidInput(
         fmt::format("{} files given; write remesh --edge=LENGTH IN OUT", given->size())));
   }
+  if (settings.quads) settings.mesh.lattice = MeshLattice::kSquares;
   if (Status s = CheckSettings(settings); !s.ok()) return Complain(s);
   SolveProgress progress(settings.quiet ? nullptr : stderr);
   std::ostream report(settings.quiet ? nullptr : progress.Before(std::cout));

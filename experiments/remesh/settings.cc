@@ -25,6 +25,7 @@ const OptionTable<RemeshSettings>& SettingsTable() {
                  "area")
            .Unit(kFileUnit)
            .About("Mesh"),
+       Option<S>("quads", &S::quads, "the same as --lattice=squares").About("Mesh"),
        Option<S>("correspondence", &S::correspondence,
                  "to write, a line a vertex of OUT: the face of IN that has it, three vertices of "
                  "that face and their weights")
@@ -49,6 +50,7 @@ Manual RemeshManual() {
   manual.purpose = "meshes a surface anew with even triangles, by a conformal map of it";
   manual.usage = {{"--edge=L IN OUT", "IN by triangles with edges of about that length"},
                   {"--vertices=N IN OUT", "by about so many vertices"},
+                  {"--quads --vertices=N IN OUT", "a closed surface by quadrilaterals"},
                   {"--measure IN OUT", "the quality of a mesh that is there already"}};
   manual.rules = {
       "Every vertex of OUT lies on IN, to rounding. Boundary loops, handles and components are "
@@ -60,9 +62,9 @@ Manual RemeshManual() {
                      {"2", "bad input, or the machine failed"},
                      {"3", "there is no such map, as is proven"},
                      {"4", "the map exceeds what doubles hold"}};
-  manual.first = {"edge",    "vertices",    "even",     "density",        "corners",
-                  "cones",   "cone_budget", "holonomy", "correspondence", "report",
-                  "measure", "quiet",       "help",     "version"};
+  manual.first = {"edge",    "vertices", "quads",       "lattice",  "even",           "density",
+                  "corners", "cones",    "cone_budget", "holonomy", "correspondence", "report",
+                  "measure", "quiet",    "help",        "version"};
   manual.groups = {"Mesh", "Output", "Cones", "Solver", "Program"};
   return manual;
 }

@@ -17,7 +17,7 @@ struct RemeshSettings {
   ParameterizeOptions map;
   std::string repair = "safe";
   std::string density, correspondence, report;
-  bool measure = false, quiet = false;
+  bool quads = false, measure = false, quiet = false;
 };
 
 Manual RemeshManual();

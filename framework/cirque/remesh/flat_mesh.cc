@@ -179,18 +179,19 @@ std::optional<FlatDomain::Arrival> FlatMesh::TraceIn(Index face, const Point& ta
 Index FlatMesh::Split(Index h) { return Twin(h) == kNone ? SplitBoundary(h) : SplitInside(h); }
 
 Index FlatMesh::SplitInside(Index h) {
-  const Index t = Twin(h), f = Face(h), g = Face(t);
-  if (f == g) return kNone;
+  if (Face(h) == Face(Twin(h))) return kNone;
   const Point middle = (Position(Next(h)) + Position(Prev(h))) / 2;
   Index from = kNone;
-  const auto arrival = TraceIn(f, middle, &from);
-  if (!arrival) return kNone;
-  const Index v = num_vertices();
-  const Placed m = {v, ToFace(from) * arrival->back};
-  const Placed m_in_g = {v, Across(t) * m.to_face};
+  const auto arrival = TraceIn(Face(h), middle, &from);
+  return arrival ? SplitAt(h, arrival->point, ToFace(from) * arrival->back) : kNone;
+}
+
+Index FlatMesh::SplitAt(Index h, const FlatPoint& point, const RigidMotion& to_face) {
+  const Index t = Twin(h), f = Face(h), g = Face(t), v = num_vertices();
+  const Placed m = {v, to_face}, m_in_g = {v, Across(t) * to_face};
   const Placed c = At(h), a = At(Next(h)), b = At(Prev(h));
   const Placed d = At(t), b_in_g = At(Next(t)), a_in_g = At(Prev(t));
-  vertices_.push_back({arrival->point});
+  vertices_.push_back({point});
   ++num_alive_;
   const Index f2 = AddFace(), g2 = AddFace();
   MoveRim({Next(h), Prev(h), Next(t), Prev(t)}, {3 * f2 + 1, 3 * f + 2, 3 * g2 + 1, 3 * g + 2});

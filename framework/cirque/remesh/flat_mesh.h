@@ -80,6 +80,9 @@ class FlatMesh {
   /// A vertex in the middle of an edge; of a boundary edge, in the middle of its piece of boundary.
   /// kNone: not done.
   Index Split(Index h);
+  /// A vertex on an inner edge, at a point whose place in the domain is known, with the motion to the
+  /// frame of the halfedge's face.
+  Index SplitAt(Index h, const FlatPoint& point, const RigidMotion& to_face);
   /// Moves the tail of an edge to its tip (or, `to_tail`, the tip to the tail), where it ends. All
   /// triangles that stay must have at least this part of their longest side as height, and no new
   /// side may be too long.

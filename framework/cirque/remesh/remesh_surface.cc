@@ -9,6 +9,8 @@
 #include "cirque/remesh/even_triangles.h"
 #include "cirque/remesh/flat_domain.h"
 #include "cirque/remesh/flat_mesh.h"
+#include "cirque/remesh/lattice_map.h"
+#include "cirque/remesh/lattice_mesh.h"
 #include "cirque/remesh/solved_pieces.h"
 
 namespace cirque {
@@ -30,6 +32,7 @@ class SurfaceRemesher {
 
   StatusOr<RemeshedSurface> Run() {
     if (Status s = Check(); !s.ok()) return s;
+    if (options_.lattice != MeshLattice::kFree) return MakeLattice();
     // Edges are split and collapsed about a length, which need not be their mean, and those near the
     // boundary, cones and corners are not as the lattice has them: what comes of a length says by how
     // much to ask for another.
@@ -113,6 +116,35 @@ class SurfaceRemesher {
     return OnSurface(mesh, edge * MeanLengthRatio(size, mesh));
   }
 
+  StatusOr<RemeshedSurface> MakeLattice() {
+    control_.BeginStage("lattice");
+    const bool squares = options_.lattice == MeshLattice::kSquares;
+    const LatticeKind kind = squares ? LatticeKind::kSquares : LatticeKind::kTriangles;
+    const double scale = std::sqrt(domain_.area() / area_);
+    const double edge = options_.edge > 0
+                            ? options_.edge
+                            : std::sqrt(area_ / (squares ? 1 : kTriangle) / options_.vertices);
+    const StatusOr<LatticeMap> map = MakeLatticeMap(domain_, kind, scale * edge);
+    if (!map.ok()) return map.status();
+    const FlatDomain cells = DomainOf(domain_, *map);
+    const StatusOr<FlatMesh> mesh = MakeLatticeMesh(cells, kind, *map, control_);
+    if (!mesh.ok()) return mesh.status();
+    RemeshedSurface made = OnSurface(*mesh, edge);
+    if (squares) made.squares = NumberedSquares(*mesh);
+    return made;
+  }
+
+  static std::vector<std::array<Index, 4>> NumberedSquares(const FlatMesh& mesh) {
+    std::vector<Index> kept, number(mesh.num_vertices(), kNone);
+    mesh.MakeTriangulation(&kept);
+    for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<Index>(i);
+    std::vector<std::array<Index, 4>> squares = SquaresOf(mesh);
+    for (std::array<Index, 4>& square : squares) {
+      for (Index& corner : square) corner = number[mesh.VertexAt(corner)];
+    }
+    return squares;
+  }
+
   RemeshedSurface OnSurface(const FlatMesh& mesh, double edge) const {
     RemeshedSurface made;
     made.edge = edge;
@@ -120,7 +152,7 @@ class SurfaceRemesher {
     made.triangulation = mesh.MakeTriangulation(&kept);
     for (const Index v : kept) {
       const FlatPoint& point = mesh.vertex(v).point;
-      const Eigen::Vector3d weight = domain_.Barycentric(point).cwiseMax(0);
+      const Eigen::Vector3d weight = mesh.domain().Barycentric(point).cwiseMax(0);
       if (mesh.vertex(v).kind == FlatMesh::Kind::kCone)
         made.cones.push_back(static_cast<Index>(made.point.size()));
       made.point.push_back(pieces_.OnSurface(point.face, weight / weight.sum()));
@@ -165,22 +197,27 @@ Status CheckOptions(const Surface& surface, const Parameterization& map,
 const OptionTable<RemeshOptions>& RemeshOptionTable() {
   using O = RemeshOptions;
   static const OptionTable<O> kTable(
-      "remesh", {Option<O>("edge", &O::edge, "length of edges on the surface")
-                     .Between(0, 1e300)
-                     .About("Mesh"),
-                 Option<O>("vertices", &O::vertices, "about how many vertices, instead of --edge")
-                     .Between(0, kMostNewVertices)
-                     .About("Mesh"),
-                 Option<O>("even", &O::even_on,
-                           "where edges are of one length: on the surface, or in the flat metric")
-                     .About("Mesh"),
-                 Option<O>("corners", &O::corners, "vertices stay where the boundary turns by more")
-                     .Between(0, 180)
-                     .Unit("degrees")
-                     .About("Mesh"),
-                 Option<O>("rounds", &O::rounds, "of splitting, collapsing, turning and moving")
-                     .Between(1, 1000)
-                     .About("Mesh")});
+      "remesh",
+      {Option<O>("edge", &O::edge, "length of edges on the surface")
+           .Between(0, 1e300)
+           .About("Mesh"),
+       Option<O>("vertices", &O::vertices, "about how many vertices, instead of --edge")
+           .Between(0, kMostNewVertices)
+           .About("Mesh"),
+       Option<O>("even", &O::even_on,
+                 "where edges are of one length: on the surface, or in the flat metric")
+           .About("Mesh"),
+       Option<O>("lattice", &O::lattice,
+                 "the mesh is this lattice of the flat metric, irregular at cones only; of closed "
+                 "surfaces, with --holonomy=pi/2 or pi/3, which it sets")
+           .About("Mesh"),
+       Option<O>("corners", &O::corners, "vertices stay where the boundary turns by more")
+           .Between(0, 180)
+           .Unit("degrees")
+           .About("Mesh"),
+       Option<O>("rounds", &O::rounds, "of splitting, collapsing, turning and moving")
+           .Between(1, 1000)
+           .About("Mesh")});
   return kTable;
 }
 
