@@ -1,4 +1,5 @@
 // remesh as a user runs it.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -89,6 +90,21 @@ TEST_F(RemeshProgramTest, RemeshesEveryComponent) {
   EXPECT_NEAR(static_cast<double>(soup->position.size()), 600, 60);
   const ProgramResult measured = Run("--measure", "two.off", "two.ply");
   EXPECT_EQ(measured.exit_status, 0) << measured.output;
+}
+
+TEST_F(RemeshProgramTest, MakesQuadsIrregularAtConesOnly) {
+  const ProgramResult made = Run("--quads --vertices=1500");
+  ASSERT_EQ(made.exit_status, 0) << made.output;
+  const StatusOr<PolygonSoup> soup = ReadMesh(Path("out.obj"));
+  ASSERT_TRUE(soup.ok());
+  std::vector<int> degree(soup->position.size(), 0);
+  for (Index p = 0; p < soup->num_polygons(); ++p) {
+    ASSERT_EQ(soup->first_corner[p + 1] - soup->first_corner[p], 4);
+  }
+  for (const Index v : soup->corner) ++degree[v];
+  const auto irregular = std::count_if(degree.begin(), degree.end(), [](int d) { return d != 4; });
+  EXPECT_THAT(made.output, HasSubstr(fmt::format("cones       {}\n", irregular)));
+  EXPECT_EQ(static_cast<Index>(soup->position.size()) - soup->num_polygons(), -2);  // V - E + F
 }
 
 TEST_F(RemeshProgramTest, RefusesWithTheReason) {
