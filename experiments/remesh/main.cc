@@ -70,7 +70,7 @@ class Run {
       if (Status s = WriteFileAtomically(settings_.correspondence, correspondence_); !s.ok())
         return s;
     }
-    return Measure();
+    return Measure("safe");
   }
 
   Status MeasureOnly() {
@@ -78,7 +78,7 @@ class Run {
     StatusOr<PolygonSoup> made = ReadMesh(out_);
     if (!made.ok()) return made.status();
     made_ = *std::move(made);
-    return Measure();
+    return Measure("none");
   }
 
  private:
@@ -183,10 +183,10 @@ class Run {
     correspondence_ += "\n";
   }
 
-  Status Measure() {
+  Status Measure(const std::string& repair) {
     control_.BeginStage("measuring");
     MeshParts made;
-    if (Status s = TakeApart(made_, "none", &made); !s.ok()) return s.In(out_);
+    if (Status s = TakeApart(made_, repair, &made); !s.ok()) return s.In(out_);
     if (made.Surfaces().empty()) return made.components[0].surface.status().In(out_);
     const Surface whole = Joined(made.Surfaces());
     MeshQuality quality = MeasureQuality(whole.triangulation, whole.position);
