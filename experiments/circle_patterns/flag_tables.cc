@@ -91,6 +91,10 @@ const OptionTable<CirclePatternsJob>& JobTable() {
              ".obj, .ply, .off or .glb to write: the mesh refined so that the map has no error "
              "but rounding: linear on the triangles it was solved on, none flipped, no vertex "
              "moved; in an .obj, faces of the input are groups"),
+         FileFlag("projective", &J::projective,
+                  ".obj to write, of conformal equivalence (--pattern=equivalence): the same with "
+                  "homogeneous texture coordinates, vt wu wv w, whose quotients u, v at each pixel "
+                  "are its own projective interpolation"),
          FileFlag("view", &J::view, ".html to write: the surface and its map, to turn and zoom"),
          FileFlag("picture", &J::picture,
                   ".svg or .png to write: surface, layout, seams, cones and distortion; "

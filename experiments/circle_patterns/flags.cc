@@ -213,7 +213,12 @@ Status CirclePatternsFlags::CheckFiles() const {
   if (job.layout_only && !as_it_is) {
     return refuse("-no lays out the metric as it is: leave out -refine_map and -seams");
   }
-  if (!job.exact.empty() && !job.input_con.empty()) {
+  if (!job.projective.empty() && job.options.pattern != PatternKind::kEquivalence) {
+    return refuse(
+        "-projective is of conformal equivalence, circle patterns have linear maps: give "
+        "-pattern=equivalence too, or -exact instead");
+  }
+  if (AsksForExact(job) && !job.input_con.empty()) {
     return refuse(
         "-exact writes points of a surface, which a metric has none of: leave out -ic and -no");
   }

@@ -38,11 +38,16 @@ struct CirclePatternsJob {
   std::string picture;      ///< .svg or .png to write, FILE:MEASURE with its colours; empty: none
   std::string latlong;      ///< .obj to write with latitude and longitude as texture; empty: none
   std::string exact;        ///< where to write the exact map (RefineByExactMap); empty: nowhere
+  std::string projective;   ///< .obj with its homogeneous texture coordinates; empty: nowhere
   std::vector<MeasureFile> measures;  ///< of the map that is written, on the triangles written
   ParameterizeOptions options;
   DomainRequest domain;
   MeshOptions mesh;
 };
+
+inline bool AsksForExact(const CirclePatternsJob& job) {
+  return !job.exact.empty() || !job.projective.empty();
+}
 
 /// Reads, checks, repairs, flattens and writes, telling `report` what it finds. Of several
 /// components each is mapped by itself; the status is the worst of theirs (SummarizeComponents),

@@ -79,9 +79,13 @@ Status WriteSphere(const CirclePatternsJob& job, const Input& input, const Surfa
 Status WriteExact(const CirclePatternsJob& job, const Input& input, const ExactMap& map,
                   std::ostream& report) {
   const ExactMesh exact = RefineByExactMap(input.file.soup, input.solved, map);
-  if (Status s = WriteMeshInGroups(job.exact, exact.mesh, exact.polygon); !s.ok()) return s;
-  report << fmt::format("wrote       {} ({} triangles)\n", job.exact, exact.polygon.size());
-  return Status();
+  if (!job.exact.empty()) {
+    if (Status s = WriteMeshInGroups(job.exact, exact.mesh, exact.polygon); !s.ok()) return s;
+    report << fmt::format("wrote       {} ({} triangles)\n", job.exact, exact.polygon.size());
+  }
+  if (job.projective.empty()) return Status();
+  report << fmt::format("projective  {}, homogeneous texture coordinates\n", job.projective);
+  return WriteHomogeneousObj(job.projective, exact.mesh, HomogeneousTexture(exact), exact.polygon);
 }
 
 Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream& report,
@@ -113,8 +117,9 @@ Status CheckNames(const CirclePatternsJob& job) {
     return Status::InvalidInput(
         fmt::format("{}: a map is written as one of {}; name the output so", output, Join(known)));
   }
-  if (!job.latlong.empty() && MeshExtension(job.latlong) != "obj") {
-    return Status::InvalidInput(job.latlong + ": texture is written as .obj; name it so");
+  for (const std::string& output : {job.latlong, job.projective}) {
+    if (output.empty() || MeshExtension(output) == "obj") continue;
+    return Status::InvalidInput(output + ": texture is written as .obj; name it so");
   }
   return Status();
 }
@@ -151,6 +156,7 @@ Status CheckOutputs(const CirclePatternsJob& job) {
   if (Status s = CheckNames(job); !s.ok()) return s;
   std::vector<std::string> paths = {job.output,
                                     job.exact,
+                                    job.projective,
                                     job.con,
                                     job.latlong,
                                     CertificatePath(job),

@@ -123,7 +123,7 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
   MapRequest request;
   request.domain = job.domain.name;
   request.options = job.options;
-  request.options.exact = !job.exact.empty();
+  request.options.exact = AsksForExact(job);
   auto shape = OptionsOf(job.domain, FileNumbering(surface, num_file_vertices));
   if (!shape.ok()) return shape.status();
   request.shape = *std::move(shape);

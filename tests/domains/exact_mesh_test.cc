@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -106,6 +108,46 @@ TEST(ExactMesh, NeedsNoVertexMovedWhereTheMapOnTheInputDoes) {
   EXPECT_LT(certificate.exact_map->exact_quasi_conformal_mean,
             certificate.distortion->quasi_conformal_mean);
   ExpectExactMap(mesh->surface, ExactRequest());
+}
+
+/// Where the exact map has each vertex, by the corners that it has as itself.
+std::vector<Eigen::Vector2d> ExactPlaces(const Surface& surface, const ExactMap& exact) {
+  std::vector<Eigen::Vector2d> place(surface.triangulation.num_vertices);
+  for (std::size_t c = 0; c < exact.corner.size(); ++c) {
+    if (exact.corner[c] < surface.triangulation.num_vertices) {
+      place[exact.corner[c]] = exact.uv[exact.corner_uv[c]];
+    }
+  }
+  return place;
+}
+
+TEST(ExactMesh, OfAPolygonHasItsSidesAndCornersByBothPatterns) {
+  const Surface terrain = Stretched("bumpy_terrain", 600, 4);
+  for (const char* domain : {"rectangle", "polygon", "triangle"}) {
+    for (const PatternKind pattern : {PatternKind::kCircle, PatternKind::kEquivalence}) {
+      MapRequest request = ExactRequest();
+      request.domain = domain;
+      request.options.pattern = pattern;
+      ExpectExactMap(terrain, request);
+      const auto map = MapSurface(terrain, request);
+      ASSERT_TRUE(map.ok()) << map.status().message();
+      const std::vector<Eigen::Vector2d> exact = ExactPlaces(terrain, *map->exact_map);
+      for (const Index h : BoundaryLoops(terrain.triangulation).front()) {
+        // Both maps have the boundary's vertices on the same sides; the places along them are those
+        // of the metrics with and without refinement.
+        const Index v = terrain.triangulation.Tail(h);
+        const Eigen::Vector2d& plain = map->uv.value[Triangulation::Next(h)];
+        EXPECT_LT((exact[v] - plain).norm(), 0.1) << domain;
+        if (std::string(domain) != "rectangle") continue;
+        const double modulus = *map->certificate.polygon->conformal_modulus;
+        EXPECT_LT(std::min({exact[v].x(), exact[v].y(), 1 - exact[v].y(),
+                            std::abs(modulus - exact[v].x())}),
+                  0.05 * modulus);
+        EXPECT_TRUE(exact[v].x() == 0 || exact[v].y() == 0 || exact[v].y() == 1 ||
+                    std::abs(exact[v].x() - modulus) < 1e-6);
+      }
+    }
+  }
 }
 
 TEST(ExactMesh, IsRefusedAboveItsLimitAndByOtherDomains) {

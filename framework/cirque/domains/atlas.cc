@@ -206,6 +206,7 @@ CornerUv Joined(const std::vector<const CornerUv*>& uvs) {
 
 ExactMap Joined(const std::vector<ExactPiece>& pieces) {
   ExactMap joined;
+  bool projective = false;
   Index first_face = 0;
   const auto append = [](const std::vector<Index>& from, Index shift, std::vector<Index>* to) {
     for (const Index i : from) to->push_back(shift + i);
@@ -221,8 +222,13 @@ ExactMap Joined(const std::vector<ExactPiece>& pieces) {
       joined.point.push_back(point);
     }
     joined.uv.insert(joined.uv.end(), map.uv.begin(), map.uv.end());
+    // All weights equal is linear, too.
+    joined.log_weight.insert(joined.log_weight.end(), map.log_weight.begin(), map.log_weight.end());
+    joined.log_weight.resize(joined.point.size(), 0);
+    projective = projective || !map.log_weight.empty();
     first_face += piece.surface.triangulation.num_faces();
   }
+  if (!projective) joined.log_weight.clear();
   return joined;
 }
 

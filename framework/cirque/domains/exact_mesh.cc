@@ -1,6 +1,8 @@
 #include "cirque/domains/exact_mesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cirque/core/grouping.h"
@@ -72,10 +74,20 @@ class Refiner {
     for (Index c = 3 * t; c < 3 * t + 3; ++c) {
       mesh.corner.push_back(PointOf(map_.corner[c]));
       const auto [uv, is_new] = uv_.Of(map_.corner_uv[c], static_cast<Index>(mesh.texture.size()));
-      if (is_new) mesh.texture.push_back(map_.uv[map_.corner_uv[c]]);
+      if (is_new) {
+        mesh.texture.push_back(map_.uv[map_.corner_uv[c]]);
+        AddWeight(map_.corner[c]);
+      }
       mesh.corner_texture.push_back(uv);
     }
     mesh.first_corner.push_back(static_cast<Index>(mesh.corner.size()));
+  }
+
+  /// Above 0, whatever the range.
+  void AddWeight(Index point) {
+    if (map_.log_weight.empty()) return;
+    result_.weight.push_back(
+        std::max(std::exp(map_.log_weight[point]), std::numeric_limits<double>::min()));
   }
 
   Index PointOf(Index point) {
@@ -98,6 +110,15 @@ class Refiner {
 
 ExactMesh RefineByExactMap(const PolygonSoup& input, const Surface& surface, const ExactMap& map) {
   return Refiner(input, surface, map).Run();
+}
+
+std::vector<Eigen::Vector3d> HomogeneousTexture(const ExactMesh& exact) {
+  std::vector<Eigen::Vector3d> homogeneous;
+  homogeneous.reserve(exact.weight.size());
+  for (std::size_t i = 0; i < exact.weight.size(); ++i) {
+    homogeneous.push_back(exact.weight[i] * exact.mesh.texture[i].homogeneous());
+  }
+  return homogeneous;
 }
 
 }  // namespace cirque

@@ -14,7 +14,15 @@ struct ExactMesh {
   /// on edges of its triangles.
   PolygonSoup mesh;
   std::vector<Index> polygon;  ///< of the input: in which every triangle lies; not decreasing
+  /// Of conformal equivalence: for each of mesh.texture the weight w of the projective interpolation
+  /// between them, sum x_k w_k uv_k / sum x_k w_k, largest 1 in a component; empty: a circle pattern,
+  /// whose map is linear. (Springborn, Schroeder, Pinkall 2008; ideal_geodesic.h.)
+  std::vector<double> weight = {};
 };
+
+/// The homogeneous texture coordinates (w u, w v, w), which rasterisers interpolate linearly and
+/// divide by the last at each pixel. @pre weights.
+std::vector<Eigen::Vector3d> HomogeneousTexture(const ExactMesh& exact);
 
 /// The input refined by the exact map of `surface`, which was made of it; without the triangles of
 /// a fill (FillHoles).

@@ -15,7 +15,9 @@
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/domains/polygon_corners.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/exact_map.h"
 #include "cirque/math/moebius.h"
+#include "cirque/math/predicates.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/finish_layout.h"
 
@@ -43,6 +45,7 @@ StatusOr<std::vector<Index>> ChooseCorners(const Surface& surface, const MapRequ
     MapRequest for_disk;
     for_disk.options = request.options;
     for_disk.options.refine_map = "none";
+    for_disk.options.exact = false;
     SurfaceMap disk;
     const Status status = MapToDisk(surface, for_disk, control, &disk);
     certificate->seconds.corners = timer.Seconds();
@@ -159,7 +162,8 @@ Status SpreadInstead(const Surface& surface, const MapRequest& request,
                 "doubles hold this surface in a polygon with nothing but useless triangles");
 }
 
-/// Puts the vertices where they are wanted; refuses a map that comes out flipped.
+/// Puts the vertices where they are wanted; refuses a map that comes out flipped, but beside an exact
+/// one.
 Status Deliver(const Triangulation& t, const std::vector<Complex>& place, SurfaceMap* map) {
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     map->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
@@ -168,7 +172,7 @@ Status Deliver(const Triangulation& t, const std::vector<Complex>& place, Surfac
   LayoutSummary& layout = Fill(&map->certificate.layout);
   layout.flipped_triangles = static_cast<int>(flipped.size());
   layout.float32_vanishing_triangles = static_cast<int>(FlippedFacesInFloat32(t, map->uv).size());
-  if (flipped.empty()) return Status();
+  if (flipped.empty() || map->exact_map) return Status();
   return Status(StatusCode::kUnrepresentable,
                 fmt::format("the map exists but doubles cannot hold faces {} (0-based) of it",
                             IdList(flipped, 5)));
@@ -176,6 +180,32 @@ Status Deliver(const Triangulation& t, const std::vector<Complex>& place, Surfac
 
 /// Which polygons have sides to be put onto exactly.
 enum class Shape { kPolygon, kRectangle };
+
+/// The exact map where the shape is, by the similarity that takes its own corners there; on the sides
+/// of a rectangle lie vertices alone, since edges of the boundary are kept.
+Status PutExactInPlace(const Triangulation& t, const std::vector<Index>& corners, Shape shape,
+                       ExactMap* exact) {
+  std::vector<Complex> place(exact->point.size());
+  for (std::size_t c = 0; c < exact->corner.size(); ++c) {
+    const Eigen::Vector2d& uv = exact->uv[exact->corner_uv[c]];
+    place[exact->corner[c]] = {uv.x(), uv.y()};
+  }
+  Align(corners, &place);
+  if (shape == Shape::kRectangle) SnapToRectangle(t, corners, &place);
+  for (std::size_t c = 0; c < exact->corner.size(); ++c) {
+    const Complex z = place[exact->corner[c]];
+    exact->uv[exact->corner_uv[c]] = {z.real(), z.imag()};
+  }
+  const auto at = [&](Index c) { return exact->uv[exact->corner_uv[c]]; };
+  for (Index c = 0; c < 3 * exact->num_triangles(); c += 3) {
+    if (OrientationSign(at(c), at(c + 1), at(c + 2)) > 0) continue;
+    return Status(StatusCode::kUnrepresentable,
+                  fmt::format("the exact map has triangles so thin that rounding turns them over on "
+                              "the polygon's sides, one of them in face {} (0-based)",
+                              exact->face_of_input[c / 3]));
+  }
+  return Status();
+}
 
 /// Puts a map with these corners where its shape is.
 Status PutInPlace(const Surface& surface, const std::vector<Index>& corners, Shape shape,
@@ -190,7 +220,9 @@ Status PutInPlace(const Surface& surface, const std::vector<Index>& corners, Sha
     std::tie(summary.conformal_modulus, summary.opposite_side_mismatch) = *modulus_and_mismatch;
   }
   map->certificate.polygon = std::move(summary);
-  return Deliver(t, place, map);
+  Status status = Deliver(t, place, map);
+  if (!status.ok() || !map->exact_map) return status;
+  return PutExactInPlace(t, corners, shape, &*map->exact_map);
 }
 
 Status Map(const Surface& surface, const MapRequest& request, const SolveControl& control,
@@ -203,7 +235,7 @@ Status Map(const Surface& surface, const MapRequest& request, const SolveControl
   if (status.ok()) status = PutInPlace(surface, *corners, shape, map);
   const bool has_metric = map->flat.on_input.lengths.value.size() == t.num_edges();
   const bool spreads = status.code() == StatusCode::kUnrepresentable && has_metric;
-  if (!spreads || !request.spread_boundary) return status;
+  if (!spreads || !request.spread_boundary || request.options.exact) return status;
   status = SpreadInstead(surface, request, *corners, control, map);
   if (status.ok()) status = PutInPlace(surface, *corners, shape, map);
   if (!status.ok()) return status;

@@ -22,8 +22,8 @@ namespace cirque {
 namespace {
 
 constexpr char kWhyNoExact[] =
-    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane for an exact "
-    "map";
+    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane, a rectangle or "
+    "a polygon for an exact map";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
@@ -113,17 +113,17 @@ const Registry<Domain>& Domains() {
          MapToHalfPlane}},
        {"rectangle",
         {"a rectangle of height 1",
-         {"corners", "pattern", "refine_map", "strict"},
+         {"corners", "pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToRectangle}},
        {"polygon",
         {"a polygon of equal or given angles",
-         {"corners", "sides", "targets", "pattern", "refine_map", "strict"},
+         {"corners", "sides", "targets", "pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToPolygon}},
        {"triangle",
         {"an equilateral triangle",
-         {"corners", "pattern", "refine_map", "strict"},
+         {"corners", "pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToTriangle}},
        {"annulus",

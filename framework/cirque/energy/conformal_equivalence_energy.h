@@ -60,9 +60,11 @@ class ConformalEquivalenceEnergy final : public Energy {
  public:
   enum class Flips { kNever, kPtolemy };
 
-  /// `log_lengths`: E.
+  /// `log_lengths`: E. `scaled_by`: V, scales that u is counted from, so that small ones of either
+  /// keep their digits; empty: 0.
   ConformalEquivalenceEnergy(const Triangulation& triangulation, const Eigen::VectorXd& log_lengths,
-                             ScaleTargets targets, Flips flips = Flips::kPtolemy);
+                             ScaleTargets targets, Flips flips = Flips::kPtolemy,
+                             const std::vector<DoubleDouble>& scaled_by = {});
 
   int NumParameters() const override { return static_cast<int>(targets_.angle_sum.size()); }
   bool Evaluate(const double* u, double* value, double* gradient) const override;

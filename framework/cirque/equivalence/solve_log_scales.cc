@@ -21,8 +21,9 @@ constexpr double kAcceptedResidual = 1e-10;  ///< [rad]
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr double kNearResidual = 1e-6;  ///< [rad]: the solution, but for rounding
 constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
-constexpr int kMostStepsOnPath = 20;
-constexpr int kMostSolves = 3;  ///< each on a triangulation flipped anew
+constexpr int kMostStepsOnPath = 20, kMostStepsToPath = 200;
+constexpr int kLeastSolves = 2, kMostSolves = 12;  ///< each on a triangulation flipped anew
+constexpr double kProgress = 0.5;                  ///< of the residual from solve to solve
 
 /// The mirror image of a halfedge of a surface with that many.
 Index MirrorHalfedge(Index h, Index num_halfedges) {
@@ -130,65 +131,106 @@ class LogScaleSolve {
   }
 
   Status Run(const SolverStrategy& strategy, const SolveControl& control) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(targets_.angle_sum.size());
-    Status status = SolveFrom(strategy, control, &u);
+    base_.assign(static_cast<std::size_t>(t_.num_vertices), 0);
+    Status status = SolveFromBase(strategy, control);
     const bool exists = flips_ == Flips::kPtolemy;
     if (status.code() != StatusCode::kNotConverged || result_.residual <= kNearResidual ||
         !exists) {
       return status;
     }
     const LogScalesResult direct = result_;
-    u.setZero();
-    if (FollowTargets(control, &u)) status = SolveFrom(strategy, control, &u);
+    for (const Path path : {Path::kTargets, Path::kLengths}) {
+      if (!Follow(path, control)) continue;
+      status = SolveFromBase(strategy, control);
+      if (status.code() != StatusCode::kNotConverged) return status;
+    }
     if (!status.ok() && !(result_.residual < direct.residual)) result_ = direct;
     return status;
   }
 
  private:
-  Status SolveFrom(const SolverStrategy& strategy, const SolveControl& control,
-                   Eigen::VectorXd* u) {
+  using Scales = std::vector<DoubleDouble>;  ///< V
+
+  /// What leads from a problem that is easy to the one that is asked.
+  enum class Path { kTargets, kLengths };
+
+  ConformalEquivalenceEnergy Energy() const {
+    return {start_.triangulation, log_lengths_, targets_, flips_, base_};
+  }
+
+  /// In solves that each count u from where the last one ended: what is left of it is small and has
+  /// all its digits, where needles need them.
+  Status SolveFromBase(const SolverStrategy& strategy, const SolveControl& control) {
+    double last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSolves; ++i) {
-      const ConformalEquivalenceEnergy energy(start_.triangulation, log_lengths_, targets_, flips_);
-      result_.solve = strategy.Minimize(energy, control, u);
+      const ConformalEquivalenceEnergy energy = Energy();
+      Eigen::VectorXd u = Eigen::VectorXd::Zero(targets_.angle_sum.size());
+      result_.solve = strategy.Minimize(energy, control, &u);
       if (result_.solve.termination == Termination::kCancelled) {
         return Status(StatusCode::kCancelled, "log scales: cancelled");
       }
-      if (!TakeAnew(energy.ScaleOfVertices(u->data()))) break;
-      if (result_.residual <= std::max(kAcceptedResidual, rounding_)) return CheckTriangles();
+      Advance(energy.ScaleOfVertices(u.data()), &base_);
+      if (!TakeAnew()) break;
+      if (result_.residual <= kAcceptedResidual) return CheckTriangles();
+      if (i >= kLeastSolves && !(result_.residual < kProgress * last)) break;
+      last = result_.residual;
     }
+    if (result_.residual <= rounding_) return CheckTriangles();
     return Status(StatusCode::kNotConverged,
                   fmt::format("log scales: angle sums miss their targets by {:.2e} rad: {}",
                               result_.residual, result_.solve.BriefReport()));
   }
 
-  /// Leads the angle sums from the surface's own to the targets along a straight line, whose scales
-  /// are a smooth path: where these are as large as a hundred, E is all but linear between narrow
-  /// creases, and Newton's method from afar leaps to and fro across them.
-  bool FollowTargets(const SolveControl& control, Eigen::VectorXd* u) const {
-    const NewtonStrategy newton({{kMostStepsOnPath, kNearResidual}, ""});
-    Eigen::VectorXd missing(u->size());
+  static void Advance(const Eigen::VectorXd& by, Scales* scales) {
+    for (std::size_t v = 0; v < scales->size(); ++v) {
+      (*scales)[v] = (*scales)[v] + by[static_cast<Eigen::Index>(v)];
+    }
+  }
+
+  /// The energy at a fraction of a path: angle sums on a straight line from the surface's own to the
+  /// targets; or lengths to the power of the fraction, at first all alike, with the targets.
+  ConformalEquivalenceEnergy At(Path path, double fraction, const Eigen::VectorXd& missing) const {
+    if (path == Path::kLengths) {
+      return {start_.triangulation, fraction * log_lengths_, targets_, flips_, base_};
+    }
     ScaleTargets now = targets_;
-    if (!ConformalEquivalenceEnergy(start_.triangulation, log_lengths_, targets_, flips_)
-             .Gradient(u->data(), missing.data())) {
+    now.angle_sum -= (1 - fraction) * missing;
+    return {start_.triangulation, log_lengths_, now, flips_, base_};
+  }
+
+  /// Leads base_ along a path of problems whose scales change smoothly: where these are as large as a
+  /// hundred, E is all but linear between narrow creases, and Newton's method from afar leaps to and
+  /// fro across them. Every step begins where the last two point.
+  bool Follow(Path path, const SolveControl& control) {
+    const int n = static_cast<int>(targets_.angle_sum.size());
+    base_.assign(base_.size(), 0);
+    Eigen::VectorXd missing(n), zero = Eigen::VectorXd::Zero(n), ahead = zero;
+    if (!Energy().Gradient(zero.data(), missing.data())) return false;
+    double done = 0, step = kFirstStepOnPath;
+    if (path == Path::kLengths && !Reach(At(path, 0, missing), kMostStepsToPath, control, &zero)) {
       return false;
     }
-    double done = 0, step = kFirstStepOnPath;
     while (done < 1) {
       const double next = std::min(1.0, done + step);
-      now.angle_sum = targets_.angle_sum - (1 - next) * missing;
-      Eigen::VectorXd moved = *u;
-      const SolveSummary solve = newton.Minimize(
-          ConformalEquivalenceEnergy(start_.triangulation, log_lengths_, now, flips_), control,
-          &moved);
-      if (solve.termination == Termination::kCancelled) return false;
-      const bool reached = solve.final_gradient_max <= kNearResidual;
+      Eigen::VectorXd moved = (next - done) * ahead;
+      const bool reached = Reach(At(path, next, missing), kMostStepsOnPath, control, &moved);
+      if (reached) ahead = moved / (next - done);
+      if (reached) done = next;
       step *= reached ? 2 : 0.25;
       if (step < kLeastStepOnPath) return false;
-      if (!reached) continue;
-      done = next;
-      u->swap(moved);
     }
     return true;
+  }
+
+  /// Minimises from u, relative to base_, and moves that there; leaves it where it is short of that.
+  bool Reach(const ConformalEquivalenceEnergy& energy, int most_steps, const SolveControl& control,
+             Eigen::VectorXd* u) {
+    const NewtonStrategy newton({{most_steps, kNearResidual}, ""});
+    const SolveSummary solve = newton.Minimize(energy, control, u);
+    const bool reached = solve.termination != Termination::kCancelled &&
+                         solve.final_gradient_max <= kNearResidual;
+    if (reached) Advance(energy.ScaleOfVertices(u->data()), &base_);
+    return reached;
   }
 
   /// Beside edges that are not flipped triangles may be degenerate.
@@ -204,33 +246,30 @@ class LogScaleSolve {
     return Status();
   }
 
-  /// The flat metric on a triangulation flipped from the start to where it is Delaunay for these
-  /// scales: that has as few flips as need be, and depends on nothing that the solve went through.
-  bool TakeAnew(const Eigen::VectorXd& scale) {
-    PtolemyComplex complex(start_.triangulation, log_lengths_);
-    result_.log_scale = scale;
-    if (flips_ == Flips::kPtolemy && !complex.MakeDelaunay(scale)) return false;
+  /// The flat metric on a triangulation flipped from the start to where it is Delaunay for the scales
+  /// base_: that has as few flips as need be, and depends on nothing that the solve went through.
+  bool TakeAnew() {
+    PtolemyComplex complex(start_.triangulation, log_lengths_, base_);
+    Eigen::VectorXd& scale = result_.log_scale;
+    scale.resize(t_.num_vertices);
+    for (Index v = 0; v < t_.num_vertices; ++v) scale[v] = base_[v].Value();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(t_.num_vertices);
+    if (flips_ == Flips::kPtolemy && !complex.MakeDelaunay(none)) return false;
     result_.angles.value.resize(t_.num_halfedges());
-    std::vector<double> log_length(t_.num_halfedges()), rounding(t_.num_halfedges());
+    std::vector<double> rounding(t_.num_halfedges());
     const double units =
         kRounding * (1 + log_lengths_.lpNorm<Eigen::Infinity>() + scale.lpNorm<Eigen::Infinity>());
     ParallelFor(complex.num_faces(), [&](Index f) {
-      const LogTriangle triangle = complex.ScaledTriangle(f, scale);
+      const LogTriangle triangle = complex.ScaledTriangle(f, none);
       double cotangents = 0;
       for (int k = 0; k < 3; ++k) cotangents += std::abs(triangle.Cotangent(k));
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         result_.angles.value[h] = triangle.angle[h - 3 * f];
-        log_length[h] = complex.ScaledLogLength(h, scale);
         rounding[h] = cotangents * units;
       }
     });
     MeasureResidual(complex, rounding);
     TakeTriangulation(complex);
-    const Triangulation& t = result_.intrinsic.triangulation;
-    result_.log_lengths.resize(t.num_edges());
-    for (Index e = 0; e < t.num_edges(); ++e) {
-      result_.log_lengths[e] = log_length[t.edge_halfedge[e]];
-    }
     return true;
   }
 
@@ -251,7 +290,14 @@ class LogScaleSolve {
   void TakeTriangulation(const PtolemyComplex& complex) {
     IntrinsicTriangulation& intrinsic = result_.intrinsic;
     intrinsic.triangulation = complex.MakeTriangulation(t_.num_vertices);
-    intrinsic.lengths.value = complex.MakeLogLengths(intrinsic.triangulation).array().exp();
+    const Triangulation& flipped = intrinsic.triangulation;
+    result_.log_lengths = complex.MakeLogLengths(flipped);
+    intrinsic.lengths.value.resize(flipped.num_edges());
+    for (Index e = 0; e < flipped.num_edges(); ++e) {
+      const Index h = flipped.edge_halfedge[e];
+      const double scale = result_.log_scale[flipped.Tail(h)] + result_.log_scale[flipped.Tip(h)];
+      intrinsic.lengths.value[e] = std::exp(result_.log_lengths[e] - 0.5 * scale);
+    }
     intrinsic.flips = start_.flips;
     result_.euclidean_flips = static_cast<int>(start_.flips.size());
     intrinsic.flips.insert(intrinsic.flips.end(), complex.flips().begin(), complex.flips().end());
@@ -268,6 +314,7 @@ class LogScaleSolve {
   const IntrinsicTriangulation start_;
   const ScaleTargets targets_;
   Eigen::VectorXd log_lengths_;
+  Scales base_;          ///< of the vertices, from which the solves count u
   double rounding_ = 0;  ///< [rad], of the angle sums
   LogScalesResult& result_;
 };

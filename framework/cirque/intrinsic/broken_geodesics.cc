@@ -9,6 +9,7 @@
 #include "cirque/intrinsic/ideal_geodesic.h"
 #include "cirque/intrinsic/normal_coordinates.h"
 #include "cirque/intrinsic/straight_lines.h"
+#include "cirque/math/log_triangle.h"
 
 namespace cirque {
 namespace {
@@ -33,14 +34,27 @@ Point Along(Index h, double fraction) {
 struct Chord {
   Index edge;  ///< its halfedge (Triangulation::edge_halfedge), from `from` to `to`
   Point from, to;
-  double at_from, at_to;  ///< fractions along the halfedge
+  double at_from, at_to;          ///< fractions along the halfedge
+  double weight_from, weight_to;  ///< logarithms (Crossing::log_weight)
 };
+
+/// A point between two others of the Delaunay face, as it is between the scaled plane's.
+struct Between {
+  double fraction, log_weight;
+};
+
+Between Project(double fraction, double weight_from, double weight_to) {
+  const double from = std::log1p(-fraction) + weight_from, to = std::log(fraction) + weight_to;
+  const double log_weight = LogAddExp(from, to);
+  return {std::exp(to - log_weight), log_weight};
+}
 
 /// The chords in every face of `delaunay`, out of its overlay with `scaled`; none where `shared` says
 /// that an edge of it is one of `delaunay` itself.
 std::vector<std::vector<Chord>> ChordsOf(const Overlay& overlay, const Triangulation& delaunay,
-                                         const Triangulation& scaled,
+                                         const ScaledTriangulation& of,
                                          const std::vector<bool>& shared) {
+  const Triangulation& scaled = of.scaled.triangulation;
   std::vector<std::vector<Chord>> chords(delaunay.num_faces());
   const auto is_vertex = [&](const Overlay::Corner& c) { return c.vertex < overlay.num_vertices; };
   const auto crossing = [&](const Overlay::Corner& c) -> const Crossing& {
@@ -50,6 +64,9 @@ std::vector<std::vector<Chord>> ChordsOf(const Overlay& overlay, const Triangula
     if (is_vertex(c)) return AtCorner(c.input);
     const Crossing& x = crossing(c);
     return Along(c.input, c.input == x.input ? x.along_input : 1 - x.along_input);
+  };
+  const auto weight = [&](const Overlay::Corner& c) {
+    return is_vertex(c) ? -of.log_scale[c.vertex] : crossing(c).log_weight;
   };
   // The halfedge of the scaled triangulation that a polygon's side runs along, seen from one end.
   const auto begins_on = [&](const Overlay::Corner& c, Index h) {
@@ -68,7 +85,8 @@ std::vector<std::vector<Chord>> ChordsOf(const Overlay& overlay, const Triangula
         if (!begins_on(a, h) || !ends_on(b, h)) continue;
         chords[overlay.input_face[p]].push_back({h, place(a), place(b),
                                                  is_vertex(a) ? 0 : crossing(a).along_other,
-                                                 is_vertex(b) ? 1 : crossing(b).along_other});
+                                                 is_vertex(b) ? 1 : crossing(b).along_other,
+                                                 weight(a), weight(b)});
       }
     }
   }
@@ -78,7 +96,7 @@ std::vector<std::vector<Chord>> ChordsOf(const Overlay& overlay, const Triangula
 /// A crossing of a line with edges of the scaled triangulation.
 struct Meeting {
   Index out;  ///< the halfedge of the face that it leaves
-  double along_line, along_edge;
+  double along_line, along_edge, log_weight;
 };
 
 class ThroughDelaunay {
@@ -100,7 +118,7 @@ class ThroughDelaunay {
       shared_[normal.SharedHalfedge(h)] = h;
       shared[of.scaled.triangulation.edge[h]] = true;
     }
-    chords_ = ChordsOf(of_delaunay, t_, of.scaled.triangulation, shared);
+    chords_ = ChordsOf(of_delaunay, t_, of, shared);
   }
 
   /// Where an edge of the input crosses what it is said to.
@@ -116,6 +134,7 @@ class ThroughDelaunay {
     for (const Meeting& meeting : met) {
       positions.along_input.push_back(meeting.along_line);
       positions.along_crossed.push_back(meeting.along_edge);
+      positions.log_weight.push_back(meeting.log_weight);
     }
     return positions;
   }
@@ -166,9 +185,10 @@ class ThroughDelaunay {
       const double tail = Cross(way, chord.from - from), tip = Cross(way, chord.to - from);
       if (!(before * after < 0) || !(tail * tip < 0)) continue;
       const double share = before / (before - after), s = tail / (tail - tip);
+      const Between at = Project(s, chord.weight_from, chord.weight_to);
       here.push_back({before > 0 ? chord.edge : of_.scaled.triangulation.twin[chord.edge],
                       along + share * (along_to - along),
-                      chord.at_from + s * (chord.at_to - chord.at_from)});
+                      chord.at_from + at.fraction * (chord.at_to - chord.at_from), at.log_weight});
       if (!(before > 0)) here.back().along_edge = 1 - here.back().along_edge;
     }
     std::sort(here.begin(), here.end(),
@@ -178,9 +198,9 @@ class ThroughDelaunay {
 
   void MeetShared(Index h, double fraction, double along, std::vector<Meeting>* met) const {
     if (shared_[h] == kNone) return;
-    const double log_odds = std::log(fraction) - std::log1p(-fraction) - of_.log_scale[t_.Tip(h)] +
-                            of_.log_scale[t_.Tail(h)];
-    Add({shared_[h], along, 1 / (1 + std::exp(-log_odds))}, met);
+    const Between at =
+        Project(fraction, -of_.log_scale[t_.Tail(h)], -of_.log_scale[t_.Tip(h)]);
+    Add({shared_[h], along, at.fraction, at.log_weight}, met);
   }
 
   /// Crossing back takes both away.

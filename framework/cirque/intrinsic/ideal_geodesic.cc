@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "cirque/math/log_triangle.h"
+
 namespace cirque {
 namespace {
 
@@ -70,7 +72,8 @@ PathPositions TraceIdealGeodesic(const Triangulation& t, const EdgeLengths& leng
   const LightStrip strip = Develop(t, lengths, path.crossed);
   const LightVector& end = strip.end;
   const int larger = std::abs(end[1]) > std::abs(end[2]) ? 1 : 2;
-  const double log_ratio = log_scale[t.vertex[path.corner]] - log_scale[strip.end_vertex];
+  const double start_scale = log_scale[t.vertex[path.corner]];
+  const double end_scale = log_scale[strip.end_vertex], log_ratio = start_scale - end_scale;
   PathPositions positions;
   for (std::size_t i = 0; i < path.crossed.size(); ++i) {
     const double tail = Volume(end, strip.tail[i]), tip = Volume(end, strip.tip[i]);
@@ -80,8 +83,12 @@ PathPositions TraceIdealGeodesic(const Triangulation& t, const EdgeLengths& leng
     const LightVector point = (1 - s) * strip.tail[i] + s * strip.tip[i];
     const double of_end = std::max(point[larger] / end[larger], 0.0);
     const double of_start = std::max(point[0] - of_end * end[0], 0.0);
-    const double log_odds = std::log(of_end) - std::log(of_start) - log_ratio;
+    const double log_start = std::log(of_start), log_end = std::log(of_end);
+    const double log_odds = log_end - log_start - log_ratio;
     positions.along_input.push_back(Fraction(1 / (1 + std::exp(-log_odds))));
+    const double weight = -LogAddExp(log_start + start_scale, log_end + end_scale);
+    positions.log_weight.push_back(
+        std::isfinite(weight) ? weight : -0.5 * (start_scale + end_scale));
   }
   return positions;
 }

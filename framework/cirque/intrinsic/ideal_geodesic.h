@@ -19,6 +19,11 @@ namespace cirque {
 /// polyhedral surfaces", ACM TOG 40(4), 2021.) Across an edge a b with the vertices c and d beside it
 ///   d = ((|db|^2 + g |bc|^2) a + (|da|^2 + g |ca|^2) b) / |ab|^2 - g c,  g = |da| |db| / |bc| |ca|.
 ///
+/// So at every vertex and crossing the map has a weight w, as homogeneous coordinates have: the point of
+/// the surface's plane there, whose coordinates add up to 1, is w times that of the scaled plane;
+/// e^(-u_i) at a vertex. Between points whose images are z_k the map takes sum x_k p_k to
+/// sum x_k w_k z_k / sum x_k w_k.
+///
 /// `lengths` are the scaled ones of `triangulation`, which need not be triangles, `log_scale` u (V)
 /// what they were scaled with. Where scales differ by more than doubles hold, crossings are put to an
 /// end of the edge.

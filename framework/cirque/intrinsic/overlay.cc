@@ -65,7 +65,7 @@ class Tracer {
       const std::int64_t n = normal_.Crossings(out), back = n - 1 - at;
       at_[slot_[other_.edge[out]] + static_cast<Index>(mine == out ? at : back)] =
           static_cast<Index>(crossing_.size());
-      crossing_.push_back({edge, mine, 0, 0});
+      crossing_.push_back({edge, mine});
       path_.push_back(out);
       at = back;
       out = normal_.Across(other_.twin[out], &at);
@@ -80,6 +80,7 @@ class Tracer {
       const double along = positions.along_crossed[i];
       crossing.along_input = positions.along_input[i];
       crossing.along_other = path_[i] == crossing.other ? along : 1 - along;
+      if (!positions.log_weight.empty()) crossing.log_weight = positions.log_weight[i];
     }
   }
 

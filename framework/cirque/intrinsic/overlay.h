@@ -16,6 +16,7 @@ namespace cirque {
 struct Crossing {
   Index input = kNone, other = kNone;
   double along_input = 0, along_other = 0;
+  double log_weight = 0;  ///< of conformal equivalence (ideal_geodesic.h); else 0
 };
 
 /// One input edge on its way over the other triangulation: it leaves the vertex at `corner` through
@@ -27,9 +28,9 @@ struct EdgePath {
 };
 
 /// Where an input edge meets the edges that it crosses, in order: fractions along the input edge
-/// and along every halfedge crossed.
+/// and along every halfedge crossed. `log_weight`: as in Crossing; empty: none.
 struct PathPositions {
-  std::vector<double> along_input, along_crossed;
+  std::vector<double> along_input, along_crossed, log_weight = {};
 };
 
 /// A rule for the positions: the metrics decide what is straight (StraightLines,

@@ -10,6 +10,7 @@ namespace cirque {
 namespace {
 
 constexpr std::int64_t kMaxFlipsPerHalfedge = 50;
+constexpr double kExtendedTolerance = 1e-26;  ///< of logarithms with twice a double's digits
 
 Index Next(Index h) { return Triangulation::Next(h); }
 Index Prev(Index h) { return Triangulation::Prev(h); }
@@ -17,33 +18,56 @@ Index Face(Index h) { return Triangulation::Face(h); }
 
 }  // namespace
 
-PtolemyComplex::PtolemyComplex(const Triangulation& t, const Eigen::VectorXd& log_lengths)
-    : complex_(t, EdgeLengths{log_lengths}) {}
+PtolemyComplex::PtolemyComplex(const Triangulation& t, const Eigen::VectorXd& log_lengths,
+                               const std::vector<DoubleDouble>& scaled_by)
+    : complex_(t, EdgeLengths{log_lengths}), low_(t.num_halfedges(), 0) {
+  if (scaled_by.empty()) return;
+  std::vector<DoubleDouble> length(t.num_edges());
+  EdgeLengths high{log_lengths};
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    const DoubleDouble scale = Half(scaled_by[t.Tail(h)] + scaled_by[t.Tip(h)]);
+    length[e] = DoubleDouble(log_lengths[e]) + scale;
+    high.value[e] = length[e].high;
+  }
+  complex_ = FlipComplex(t, high);
+  for (Index h = 0; h < t.num_halfedges(); ++h) low_[h] = length[t.edge[h]].low;
+}
+
+DoubleDouble PtolemyComplex::LogLength(Index h) const { return {complex_.length(h), low_[h]}; }
 
 double PtolemyComplex::ScaledLogLength(Index h, const Eigen::VectorXd& scale) const {
   return complex_.length(h) + 0.5 * (scale[vertex(Next(h))] + scale[vertex(Prev(h))]);
 }
 
+DoubleDouble PtolemyComplex::ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const {
+  return LogLength(h) + Half(SumOf(scale[vertex(Next(h))], scale[vertex(Prev(h))]));
+}
+
 LogTriangle PtolemyComplex::ScaledTriangle(Index face, const Eigen::VectorXd& scale) const {
   // The scale of one corner more or less changes no angle: a constant is taken off all three.
   const Index h = 3 * face;
-  const double u0 = scale[vertex(h)], u1 = scale[vertex(h + 1)], u2 = scale[vertex(h + 2)];
-  return SolveLogTriangle({complex_.length(h) + 0.5 * ((u1 - u0) + (u2 - u0)),
-                           complex_.length(h + 1) + 0.5 * (u2 - u0),
-                           complex_.length(h + 2) + 0.5 * (u1 - u0)});
+  const double u0 = scale[vertex(h)];
+  const DoubleDouble first = Half(SumOf(scale[vertex(h + 1)], -u0));
+  const DoubleDouble second = Half(SumOf(scale[vertex(h + 2)], -u0));
+  return SolveExtendedLogTriangle(
+      {LogLength(h) + (first + second), LogLength(h + 1) + second, LogLength(h + 2) + first});
 }
 
 bool PtolemyComplex::ViolatesByCosines(Index h, const Eigen::VectorXd& scale) const {
-  // 2 cos = b / c + c / b - a^2 / (b c): what is added is compared with what is taken off.
-  std::array<double, 2> above{}, below{};
+  // 2 cos = b / c + c / b - a^2 / (b c): what is added is compared with what is taken off. Needles have
+  // cosines that differ from 1 by less than a double shows.
+  std::array<DoubleDouble, 2> above{}, below{};
   const Index sides[] = {h, complex_.twin(h)};
   for (int k = 0; k < 2; ++k) {
-    const double a = ScaledLogLength(sides[k], scale), b = ScaledLogLength(Next(sides[k]), scale);
-    const double c = ScaledLogLength(Prev(sides[k]), scale);
+    const DoubleDouble a = ExtendedLogLength(sides[k], scale);
+    const DoubleDouble b = ExtendedLogLength(Next(sides[k]), scale);
+    const DoubleDouble c = ExtendedLogLength(Prev(sides[k]), scale);
     above[k] = LogAddExp(b - c, c - b);
     below[k] = (a - b) + (a - c);
   }
-  return LogAddExp(below[0], below[1]) > LogAddExp(above[0], above[1]) + kPtolemyTolerance;
+  const DoubleDouble excess = LogAddExp(below[0], below[1]) - LogAddExp(above[0], above[1]);
+  return excess.high > kExtendedTolerance;
 }
 
 bool PtolemyComplex::Violates(Index h, const LogTriangle& left, const LogTriangle& right,
@@ -61,9 +85,16 @@ bool PtolemyComplex::ViolatesDelaunay(Index h, const Eigen::VectorXd& scale) con
 
 void PtolemyComplex::Flip(Index h) {
   const Index g = complex_.twin(h);
-  const double one = complex_.length(Next(h)) + complex_.length(Next(g));
-  const double other = complex_.length(Prev(h)) + complex_.length(Prev(g));
-  complex_.Flip(h, LogAddExp(one, other) - complex_.length(h), kNone);
+  const DoubleDouble one = LogLength(Next(h)) + LogLength(Next(g));
+  const DoubleDouble other = LogLength(Prev(h)) + LogLength(Prev(g));
+  const DoubleDouble length = LogAddExp(one, other) - LogLength(h);
+  const double moved[4] = {low_[Next(h)], low_[Prev(h)], low_[Next(g)], low_[Prev(g)]};
+  complex_.Flip(h, length.high, kNone);
+  low_[Prev(g)] = moved[0];
+  low_[Next(h)] = moved[1];
+  low_[Prev(h)] = moved[2];
+  low_[Next(g)] = moved[3];
+  low_[h] = low_[g] = length.low;
   flips_.push_back(h);
 }
 

@@ -20,11 +20,13 @@ namespace cirque {
 /// circle. (A. Bobenko, U. Pinkall, B. Springborn, "Discrete conformal maps and ideal hyperbolic
 /// polyhedra", Geom. Topol. 19, 2015; B. Springborn, "Ideal hyperbolic polyhedra and discrete
 /// uniformization", Discrete Comput. Geom. 64, 2020.) Lengths are logarithms throughout, since
-/// those of one surface can differ by hundreds of orders of magnitude.
+/// those of one surface can differ by hundreds of orders of magnitude, and have twice the digits of a
+/// double: the angles of a needle with sides 1, 1 and e are in the logarithms' digits below e.
 class PtolemyComplex {
  public:
-  /// `log_lengths`: E.
-  PtolemyComplex(const Triangulation& triangulation, const Eigen::VectorXd& log_lengths);
+  /// `log_lengths`: E. `scaled_by`: V, scales that the lengths are multiplied with at once; empty: 0.
+  PtolemyComplex(const Triangulation& triangulation, const Eigen::VectorXd& log_lengths,
+                 const std::vector<DoubleDouble>& scaled_by = {});
 
   Index num_faces() const { return complex_.num_halfedges() / 3; }
   Index num_halfedges() const { return complex_.num_halfedges(); }
@@ -62,11 +64,14 @@ class PtolemyComplex {
   Eigen::VectorXd MakeLogLengths(const Triangulation& triangulation) const;
 
  private:
+  DoubleDouble LogLength(Index h) const;
+  DoubleDouble ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const;
   bool Violates(Index h, const LogTriangle& left, const LogTriangle& right,
                 const Eigen::VectorXd& scale) const;
   bool ViolatesByCosines(Index h, const Eigen::VectorXd& scale) const;
 
-  FlipComplex complex_;  ///< its lengths are logarithms
+  FlipComplex complex_;      ///< its lengths are logarithms
+  std::vector<double> low_;  ///< their lower digits, of halfedges
   std::vector<Index> flips_;
 };
 

@@ -193,6 +193,14 @@ Status WriteMeshInGroups(const std::string& path, const PolygonSoup& mesh,
   return WriteFileAtomically(path, FormatObjInGroups(mesh, group));
 }
 
+Status WriteHomogeneousObj(const std::string& path, const PolygonSoup& mesh,
+                           const std::vector<Eigen::Vector3d>& texture,
+                           const std::vector<Index>& group) {
+  if (Status s = CheckFinite("coordinate", mesh.position); !s.ok()) return s.In(path);
+  if (Status s = CheckFinite("texture coordinate", texture); !s.ok()) return s.In(path);
+  return WriteFileAtomically(path, FormatHomogeneousObj(mesh, texture, group));
+}
+
 Status WriteTexturedMesh(const std::string& path, const MeshFile& source,
                          const PolygonSoup& textured) {
   const bool is_same = textured.first_corner == source.soup.first_corner &&

@@ -60,6 +60,12 @@ Status WriteMesh(const std::string& path, const PolygonSoup& mesh);
 Status WriteMeshInGroups(const std::string& path, const PolygonSoup& mesh,
                          const std::vector<Index>& group);
 
+/// WriteMeshInGroups to an .obj with homogeneous texture coordinates instead of the mesh's own
+/// (FormatHomogeneousObj), one for each of them.
+Status WriteHomogeneousObj(const std::string& path, const PolygonSoup& mesh,
+                           const std::vector<Eigen::Vector3d>& texture,
+                           const std::vector<Index>& group);
+
 /// Writes the mesh of `source` with the texture coordinates of `textured`: an .obj from an obj is
 /// the file as it was but for its `vt` lines and the indices of its corners (see RewriteObj in
 /// mesh_formats.h), where `textured` has the polygons of `source`; anything else is `textured` by

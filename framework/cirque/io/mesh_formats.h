@@ -40,6 +40,12 @@ TextPieces FormatObj(const PolygonSoup& mesh);
 /// before, N the group's number from 1. @pre a group for every polygon, or none at all.
 TextPieces FormatObjInGroups(const PolygonSoup& mesh, const std::vector<Index>& group);
 
+/// The same with homogeneous texture coordinates, `vt wu wv w`, as CEPS writes them. @pre one for
+/// each of mesh.texture.
+TextPieces FormatHomogeneousObj(const PolygonSoup& mesh,
+                                const std::vector<Eigen::Vector3d>& texture,
+                                const std::vector<Index>& group);
+
 /// An OBJ file's `text` with the texture coordinates of `textured`, whose polygons are those that
 /// ParseObj reads from it. Kept byte for byte: materials, groups, normals, colours, comments, order,
 /// blanks, line ends, continued lines, negative indices. Old `vt` lines are left out and the new ones

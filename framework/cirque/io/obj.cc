@@ -217,10 +217,14 @@ void WriteCorner(const PolygonSoup& mesh, Index corner, TextWriter* out) {
 
 TextPieces FormatObj(const PolygonSoup& mesh) { return FormatObjInGroups(mesh, {}); }
 
-TextPieces FormatObjInGroups(const PolygonSoup& mesh, const std::vector<Index>& group) {
+namespace {
+
+template <class Texture>
+TextPieces FormatWith(const PolygonSoup& mesh, const std::vector<Texture>& texture,
+                      const std::vector<Index>& group) {
   TextWriter out;
   WritePoints("v ", mesh.position, &out);
-  WritePoints("vt ", mesh.texture, &out);
+  WritePoints("vt ", texture, &out);
   out.Lines(mesh.num_polygons(), [&](int p, TextWriter* line) {
     if (!group.empty() && (p == 0 || group[p] != group[p - 1])) {
       line->Text("g face_");
@@ -234,6 +238,18 @@ TextPieces FormatObjInGroups(const PolygonSoup& mesh, const std::vector<Index>& 
     line->Text("\n");
   });
   return std::move(out).TakePieces();
+}
+
+}  // namespace
+
+TextPieces FormatObjInGroups(const PolygonSoup& mesh, const std::vector<Index>& group) {
+  return FormatWith(mesh, mesh.texture, group);
+}
+
+TextPieces FormatHomogeneousObj(const PolygonSoup& mesh,
+                                const std::vector<Eigen::Vector3d>& texture,
+                                const std::vector<Index>& group) {
+  return FormatWith(mesh, texture, group);
 }
 
 }  // namespace cirque

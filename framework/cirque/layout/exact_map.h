@@ -32,6 +32,9 @@ struct ExactMap {
   std::vector<Index> corner_uv;       ///< 3T
   std::vector<Index> face_of_input;   ///< T, increasing
   std::vector<Index> face_of_solved;  ///< T: of the other triangulation
+  /// Of conformal equivalence, per point the logarithm of its weight in the projective map between
+  /// the points (ideal_geodesic.h), the largest 0; empty: a circle pattern, linear.
+  std::vector<double> log_weight = {};
 
   Index num_triangles() const { return static_cast<Index>(face_of_input.size()); }
 };

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "cirque/math/double_double.h"
+
 namespace cirque {
 
 /// A Euclidean triangle given by the logarithms of its sides: side k and corner k are opposite.
@@ -24,6 +26,9 @@ struct LogTriangle {
 /// "Miscalculating Area and Angles of a Needle-like Triangle", 2014). Angles are off by no more than
 /// what a change of the logarithms by an ulp does.
 LogTriangle SolveLogTriangle(const std::array<double, 3>& log_side);
+
+/// The same of needles whose long sides differ by less than an ulp of their logarithms.
+LogTriangle SolveExtendedLogTriangle(const std::array<DoubleDouble, 3>& log_side);
 
 /// log(e^x + e^y).
 double LogAddExp(double x, double y);

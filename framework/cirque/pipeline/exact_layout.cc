@@ -79,6 +79,19 @@ StatusOr<Overlay> OverlayOf(const Job& job, const SolvedMetric& solved,
                      StraightLines(surface.triangulation, surface.lengths), limit);
 }
 
+/// Of the vertices, then the crossings; the largest 0.
+std::vector<double> LogWeights(const SolvedMetric& solved, const Overlay& overlay) {
+  std::vector<double> weights;
+  if (IsCirclePattern(solved)) return weights;
+  const Eigen::VectorXd& scale = solved.equivalent->whole.log_scale;
+  weights.reserve(overlay.num_vertices + overlay.crossing.size());
+  for (Index v = 0; v < overlay.num_vertices; ++v) weights.push_back(-scale[v]);
+  for (const Crossing& crossing : overlay.crossing) weights.push_back(crossing.log_weight);
+  const double largest = *std::max_element(weights.begin(), weights.end());
+  for (double& weight : weights) weight -= largest;
+  return weights;
+}
+
 Status MakeExact(const Job& job, Parameterization* result) {
   if (!result->flat.exact) {
     return Status(StatusCode::kNotConverged,
@@ -102,6 +115,7 @@ Status MakeExact(const Job& job, Parameterization* result) {
   Summarize(*overlay, repair, &summary);
   SummarizeLayout(layout, &summary);
   if (!map.ok()) return map.status();
+  map->log_weight = LogWeights(solved, *overlay);
   summary.exact_triangles = map->num_triangles();
   Summarize(IsCirclePattern(solved)
                 ? DistortionOf(surface.triangulation, surface.lengths, layout.uv)

@@ -77,6 +77,7 @@ class ExactMap(typing.NamedTuple):
     uv: np.ndarray             # M x 2
     f_uv: np.ndarray           # T x 3: rows of uv at the corners
     face_of_input: np.ndarray  # T: in which face of the input each triangle lies
+    weight: np.ndarray = None  # M, of pattern="equivalence": w of the homogeneous (w u, w v, w)
 
 
 class Map:
@@ -118,7 +119,8 @@ class Map:
         if not made.has_exact:
             return None
         return ExactMap(made.exact_vertices, made.exact_faces.reshape(-1, 3), made.exact_uv,
-                        made.exact_f_uv.reshape(-1, 3), made.exact_face_of_input)
+                        made.exact_f_uv.reshape(-1, 3), made.exact_face_of_input,
+                        made.exact_weight if len(made.exact_weight) else None)
 
     @property
     def certificate(self):

@@ -1,0 +1,60 @@
+// Numbers of twice a double's digits against fifty digits.
+#include "cirque/math/double_double.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "experiments/common/high_precision.h"
+
+namespace cirque {
+namespace {
+
+using high_precision::Real;
+
+Real Exact(const DoubleDouble& x) { return Real(x.high) + Real(x.low); }
+
+double Error(const DoubleDouble& found, const Real& exact) {
+  return static_cast<double>(abs(Exact(found) - exact));
+}
+
+class Draws {
+ public:
+  double operator()() { return std::ldexp(static_cast<double>(random_()), -32) - 0.5; }
+  DoubleDouble Number(double range) {
+    const double high = range * (*this)();
+    return {high, 1e-17 * range * (*this)()};
+  }
+
+ private:
+  std::mt19937 random_{5};
+};
+
+TEST(DoubleDouble, SumsDifferencesAndProductsHaveTwiceTheDigits) {
+  Draws draw;
+  for (int i = 0; i < 200; ++i) {
+    const DoubleDouble a = draw.Number(200), b = draw.Number(200);
+    EXPECT_LT(Error(a + b, Exact(a) + Exact(b)), 1e-28);
+    EXPECT_LT(Error(a - b, Exact(a) - Exact(b)), 1e-28);
+    EXPECT_LT(Error(a * b, Exact(a) * Exact(b)), 1e-26);
+    EXPECT_LT(Error(Half(a), Exact(a) / 2), 1e-40);
+  }
+  const DoubleDouble near = DoubleDouble(1) + 1e-20;
+  EXPECT_EQ((near - 1.0).Value(), 1e-20);
+  EXPECT_TRUE(DoubleDouble(1) < near);
+  EXPECT_FALSE(near < DoubleDouble(1));
+}
+
+TEST(DoubleDouble, LogarithmsOfSumsToo) {
+  Draws draw;
+  for (int i = 0; i < 300; ++i) {
+    const DoubleDouble a = draw.Number(200);
+    const DoubleDouble b = a + draw.Number(i % 3 == 0 ? 1e-9 : i % 3 == 1 ? 90 : 2);
+    const Real exact = log(exp(Exact(a)) + exp(Exact(b)));
+    EXPECT_LT(Error(LogAddExp(a, b), exact), 1e-29) << i;
+  }
+}
+
+}  // namespace
+}  // namespace cirque
