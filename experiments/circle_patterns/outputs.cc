@@ -154,14 +154,9 @@ Status CheckNotAnInput(const CirclePatternsJob& job, const std::string& output) 
 
 Status CheckOutputs(const CirclePatternsJob& job) {
   if (Status s = CheckNames(job); !s.ok()) return s;
-  std::vector<std::string> paths = {job.output,
-                                    job.exact,
-                                    job.projective,
-                                    job.con,
-                                    job.latlong,
-                                    CertificatePath(job),
-                                    job.view,
-                                    PictureFile(job.picture)};
+  std::vector<std::string> paths = {
+      job.output,           job.exact, job.projective,          job.con, job.latlong,
+      CertificatePath(job), job.view,  PictureFile(job.picture)};
   for (const MeasureFile& file : job.measures) paths.push_back(file.path);
   for (const std::string& path : paths) {
     if (path.empty()) continue;

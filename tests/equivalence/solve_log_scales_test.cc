@@ -251,6 +251,29 @@ TEST(FixedTargets, IntervalsGiveWayToGaussBonnetAlike) {
   EXPECT_EQ(fixed.lower, fixed.upper);
 }
 
+/// Cones whose flat metric has needles of 1 to 1e-10 and more, angles of which lie in the logarithms'
+/// digits below a double's.
+TEST(SolveLogScales, NeedlesHaveTheirAngleSums) {
+  double longest = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const Surface surface = GeneratedSurface("sphere", 40);
+    const Triangulation& t = surface.triangulation;
+    LogScalesResult result;
+    const Status status = Solve(surface, RandomCones(surface, 1e-6, seed), &result);
+    ASSERT_TRUE(status.ok()) << seed << ": " << status.message();
+    EXPECT_LE(result.residual, 1e-10);
+    for (Index f = 0; f < t.num_faces(); ++f) {
+      const auto side = [&](int k) {
+        return result.log_lengths[result.intrinsic.triangulation.edge[3 * f + k]];
+      };
+      longest = std::max(longest, std::max({side(0), side(1), side(2)}) -
+                                      std::min({side(0), side(1), side(2)}));
+    }
+  }
+  EXPECT_GT(longest, 0) << longest;
+  std::cout << longest << std::endl;
+}
+
 TEST(SolveLogScales, CancelledAndUnsolvableSaySo) {
   const Surface surface = GeneratedSurface("blob", 100);
   const ConeTargets cones = RandomCones(surface, 0.3, 2);

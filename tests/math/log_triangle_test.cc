@@ -48,9 +48,8 @@ TEST(LogTriangle, NeedlesHaveTheirAnglesInDigitsBelowADoubles) {
   // Sides a, a - d, c: the angle at the short side is arccos(d / c) but for d and c squared.
   for (const double log_short : {-20.0, -35.0, -45.0}) {
     const double share = 0.25, difference = share * std::exp(log_short);
-    const LogTriangle triangle =
-        SolveExtendedLogTriangle({DoubleDouble(30), DoubleDouble(30) - difference,
-                                  DoubleDouble(30 + log_short)});
+    const LogTriangle triangle = SolveExtendedLogTriangle(
+        {DoubleDouble(30), DoubleDouble(30) - difference, DoubleDouble(30 + log_short)});
     ASSERT_TRUE(triangle.proper);
     EXPECT_NEAR(triangle.angle[1], std::acos(share), 4e-9);
     EXPECT_NEAR(triangle.angle[0], kPi - std::acos(share), 4e-9);

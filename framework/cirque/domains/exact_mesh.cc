@@ -116,7 +116,8 @@ std::vector<Eigen::Vector3d> HomogeneousTexture(const ExactMesh& exact) {
   std::vector<Eigen::Vector3d> homogeneous;
   homogeneous.reserve(exact.weight.size());
   for (std::size_t i = 0; i < exact.weight.size(); ++i) {
-    homogeneous.push_back(exact.weight[i] * exact.mesh.texture[i].homogeneous());
+    const Eigen::Vector2d& uv = exact.mesh.texture[i];
+    homogeneous.push_back(exact.weight[i] * Eigen::Vector3d(uv.x(), uv.y(), 1));
   }
   return homogeneous;
 }

@@ -199,10 +199,11 @@ Status PutExactInPlace(const Triangulation& t, const std::vector<Index>& corners
   const auto at = [&](Index c) { return exact->uv[exact->corner_uv[c]]; };
   for (Index c = 0; c < 3 * exact->num_triangles(); c += 3) {
     if (OrientationSign(at(c), at(c + 1), at(c + 2)) > 0) continue;
-    return Status(StatusCode::kUnrepresentable,
-                  fmt::format("the exact map has triangles so thin that rounding turns them over on "
-                              "the polygon's sides, one of them in face {} (0-based)",
-                              exact->face_of_input[c / 3]));
+    return Status(
+        StatusCode::kUnrepresentable,
+        fmt::format("the exact map has triangles so thin that rounding turns them over on "
+                    "the polygon's sides, one of them in face {} (0-based)",
+                    exact->face_of_input[c / 3]));
   }
   return Status();
 }

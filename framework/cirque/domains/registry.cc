@@ -22,7 +22,8 @@ namespace cirque {
 namespace {
 
 constexpr char kWhyNoExact[] =
-    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane, a rectangle or "
+    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane, a rectangle "
+    "or "
     "a polygon for an exact map";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/equivalence/laplacian_newton.h"
 #include "cirque/intrinsic/ptolemy_complex.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/solver/newton_strategies.h"
@@ -21,7 +22,7 @@ constexpr double kAcceptedResidual = 1e-10;  ///< [rad]
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr double kNearResidual = 1e-6;  ///< [rad]: the solution, but for rounding
 constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
-constexpr int kMostStepsOnPath = 20, kMostStepsToPath = 200;
+constexpr int kMostSolvesOnPath = 300, kMostStepsOnPath = 20, kMostStepsToPath = 200;
 constexpr int kLeastSolves = 2, kMostSolves = 12;  ///< each on a triangulation flipped anew
 constexpr double kProgress = 0.5;                  ///< of the residual from solve to solve
 
@@ -132,19 +133,22 @@ class LogScaleSolve {
 
   Status Run(const SolverStrategy& strategy, const SolveControl& control) {
     base_.assign(static_cast<std::size_t>(t_.num_vertices), 0);
-    Status status = SolveFromBase(strategy, control);
+    Status status = SolveFromBase(
+        [&](const auto& energy, auto* u) { return strategy.Minimize(energy, control, u); });
     const bool exists = flips_ == Flips::kPtolemy;
     if (status.code() != StatusCode::kNotConverged || result_.residual <= kNearResidual ||
         !exists) {
       return status;
     }
     const LogScalesResult direct = result_;
-    for (const Path path : {Path::kTargets, Path::kLengths}) {
+    for (const Path path : {Path::kNone, Path::kTargets, Path::kLengths}) {
       if (!Follow(path, control)) continue;
-      status = SolveFromBase(strategy, control);
+      status = SolveFromBase([&](const auto& energy, auto* u) {
+        return MinimizeRobustly(energy, SolverLimits(), control, u);
+      });
       if (status.code() != StatusCode::kNotConverged) return status;
     }
-    if (!status.ok() && !(result_.residual < direct.residual)) result_ = direct;
+    if (!(result_.residual < direct.residual)) result_ = direct;
     return status;
   }
 
@@ -152,20 +156,30 @@ class LogScaleSolve {
   using Scales = std::vector<DoubleDouble>;  ///< V
 
   /// What leads from a problem that is easy to the one that is asked.
-  enum class Path { kTargets, kLengths };
+  enum class Path { kNone, kTargets, kLengths };
 
   ConformalEquivalenceEnergy Energy() const {
     return {start_.triangulation, log_lengths_, targets_, flips_, base_};
   }
 
+  static SolveSummary MinimizeRobustly(const ConformalEquivalenceEnergy& energy,
+                                       const SolverLimits& limits, const SolveControl& control,
+                                       Eigen::VectorXd* u) {
+    if (u->size() <= kMostLaplacianUnknowns) {
+      return MinimizeByLaplacians(energy, limits, control, u);
+    }
+    return NewtonStrategy({limits, ""}).Minimize(energy, control, u);
+  }
+
   /// In solves that each count u from where the last one ended: what is left of it is small and has
   /// all its digits, where needles need them.
-  Status SolveFromBase(const SolverStrategy& strategy, const SolveControl& control) {
+  template <class Minimize>
+  Status SolveFromBase(const Minimize& minimize) {
     double last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSolves; ++i) {
       const ConformalEquivalenceEnergy energy = Energy();
       Eigen::VectorXd u = Eigen::VectorXd::Zero(targets_.angle_sum.size());
-      result_.solve = strategy.Minimize(energy, control, &u);
+      result_.solve = minimize(energy, &u);
       if (result_.solve.termination == Termination::kCancelled) {
         return Status(StatusCode::kCancelled, "log scales: cancelled");
       }
@@ -204,13 +218,15 @@ class LogScaleSolve {
   bool Follow(Path path, const SolveControl& control) {
     const int n = static_cast<int>(targets_.angle_sum.size());
     base_.assign(base_.size(), 0);
+    if (path == Path::kNone) return true;
     Eigen::VectorXd missing(n), zero = Eigen::VectorXd::Zero(n), ahead = zero;
     if (!Energy().Gradient(zero.data(), missing.data())) return false;
     double done = 0, step = kFirstStepOnPath;
     if (path == Path::kLengths && !Reach(At(path, 0, missing), kMostStepsToPath, control, &zero)) {
       return false;
     }
-    while (done < 1) {
+    for (int solves = 0; done < 1; ++solves) {
+      if (solves == kMostSolvesOnPath) return false;
       const double next = std::min(1.0, done + step);
       Eigen::VectorXd moved = (next - done) * ahead;
       const bool reached = Reach(At(path, next, missing), kMostStepsOnPath, control, &moved);
@@ -225,10 +241,9 @@ class LogScaleSolve {
   /// Minimises from u, relative to base_, and moves that there; leaves it where it is short of that.
   bool Reach(const ConformalEquivalenceEnergy& energy, int most_steps, const SolveControl& control,
              Eigen::VectorXd* u) {
-    const NewtonStrategy newton({{most_steps, kNearResidual}, ""});
-    const SolveSummary solve = newton.Minimize(energy, control, u);
-    const bool reached = solve.termination != Termination::kCancelled &&
-                         solve.final_gradient_max <= kNearResidual;
+    const SolveSummary solve = MinimizeRobustly(energy, {most_steps, kNearResidual}, control, u);
+    const bool reached =
+        solve.termination != Termination::kCancelled && solve.final_gradient_max <= kNearResidual;
     if (reached) Advance(energy.ScaleOfVertices(u->data()), &base_);
     return reached;
   }

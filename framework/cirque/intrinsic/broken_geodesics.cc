@@ -83,10 +83,9 @@ std::vector<std::vector<Chord>> ChordsOf(const Overlay& overlay, const Triangula
       for (Index h = 3 * overlay.other_face[p]; h < 3 * overlay.other_face[p] + 3; ++h) {
         if (scaled.edge_halfedge[scaled.edge[h]] != h || shared[scaled.edge[h]]) continue;
         if (!begins_on(a, h) || !ends_on(b, h)) continue;
-        chords[overlay.input_face[p]].push_back({h, place(a), place(b),
-                                                 is_vertex(a) ? 0 : crossing(a).along_other,
-                                                 is_vertex(b) ? 1 : crossing(b).along_other,
-                                                 weight(a), weight(b)});
+        chords[overlay.input_face[p]].push_back(
+            {h, place(a), place(b), is_vertex(a) ? 0 : crossing(a).along_other,
+             is_vertex(b) ? 1 : crossing(b).along_other, weight(a), weight(b)});
       }
     }
   }
@@ -198,8 +197,7 @@ class ThroughDelaunay {
 
   void MeetShared(Index h, double fraction, double along, std::vector<Meeting>* met) const {
     if (shared_[h] == kNone) return;
-    const Between at =
-        Project(fraction, -of_.log_scale[t_.Tail(h)], -of_.log_scale[t_.Tip(h)]);
+    const Between at = Project(fraction, -of_.log_scale[t_.Tail(h)], -of_.log_scale[t_.Tip(h)]);
     Add({shared_[h], along, at.fraction, at.log_weight}, met);
   }
 

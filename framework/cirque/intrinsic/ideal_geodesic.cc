@@ -87,8 +87,8 @@ PathPositions TraceIdealGeodesic(const Triangulation& t, const EdgeLengths& leng
     const double log_odds = log_end - log_start - log_ratio;
     positions.along_input.push_back(Fraction(1 / (1 + std::exp(-log_odds))));
     const double weight = -LogAddExp(log_start + start_scale, log_end + end_scale);
-    positions.log_weight.push_back(
-        std::isfinite(weight) ? weight : -0.5 * (start_scale + end_scale));
+    positions.log_weight.push_back(std::isfinite(weight) ? weight
+                                                         : -0.5 * (start_scale + end_scale));
   }
   return positions;
 }

@@ -27,8 +27,7 @@ DoubleDouble Expm1Reduced(DoubleDouble x) {
 DoubleDouble Exp(const DoubleDouble& x) {
   const double powers = std::round(x.high / kLn2High);
   const DoubleDouble ln2(kLn2High, kLn2Low);
-  const DoubleDouble grown =
-      DoubleDouble(1) + Expm1Reduced(x - DoubleDouble(powers) * ln2);
+  const DoubleDouble grown = DoubleDouble(1) + Expm1Reduced(x - DoubleDouble(powers) * ln2);
   const int exponent = static_cast<int>(powers);
   return {std::ldexp(grown.high, exponent), std::ldexp(grown.low, exponent)};
 }

@@ -86,9 +86,11 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   }
   // The exact map is the result then; that of its own triangles has none beside it.
   const bool may_be_flipped = result->flat.exact.has_value();
+  // That of conformal equivalence is not refined (exact_layout.cc); neither is the one beside it.
+  const bool as_solved = may_be_flipped && result->flat.exact->equivalent;
   if (flipped.empty() || may_be_flipped) {
     const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
-    if (flipped.empty() && (convex || flat.flipped.empty())) {
+    if (flipped.empty() && (convex || flat.flipped.empty()) && !as_solved) {
       job.control.BeginStage("refinement");
       Status refined = RefineLayout(of, result->targets, job.options.refine_map, &layout,
                                     &certificate.map_refinement);

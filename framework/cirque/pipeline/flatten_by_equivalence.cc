@@ -72,8 +72,9 @@ class EquivalenceFlattening {
     if (Status s = Solve(**strategy); !s.ok()) return s;
     if (Status s = TakeMetric(); !s.ok()) return s;
     ReadChart();
-    if (result_.on_input.flipped.empty() || SolveOnInput(**strategy)) return Status();
-    if (result_.exact) return Status();
+    if (result_.on_input.flipped.empty() || result_.exact || SolveOnInput(**strategy)) {
+      return Status();
+    }
     const std::vector<Index>& flipped = result_.on_input.flipped;
     return Status(StatusCode::kNotConverged,
                   fmt::format("the conformally equivalent flat metric exists, but of the "
