@@ -22,6 +22,7 @@
 #include "experiments/studies/studies.h"
 
 DEFINE_int32(surfaces, 1000, "how many surfaces");
+DEFINE_string(ways, "", "only the ways with this in their names; empty: all");
 DEFINE_int32(from, 1, "number of the first: it alone decides what the surface and its cones are");
 
 namespace cirque {
@@ -34,6 +35,7 @@ struct Way {
   bool strict, exact = false;
 };
 
+constexpr std::size_t kListed = 12;  ///< of the surfaces that are left
 constexpr char kMetrics[] = "equivalence, on its own triangulation";
 
 constexpr Way kWays[] = {{"circle pattern", PatternKind::kCircle, true},
@@ -169,7 +171,7 @@ std::string Row(const std::string& name, const Tally& tally) {
   }
   if (tally.refused > 0)
     failures += fmt::format("{}{} not accepted", failures.empty() ? "" : ", ", tally.refused);
-  for (std::size_t i = 0; i < std::min<std::size_t>(tally.numbers.size(), 8); ++i) {
+  for (std::size_t i = 0; i < std::min(tally.numbers.size(), kListed); ++i) {
     numbers += fmt::format("{}{}", i == 0 ? "" : ", ", tally.numbers[i]);
   }
   return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {} |\n", name, tally.surfaces,
@@ -191,10 +193,14 @@ Iterations are those of the log scales, flips those of the last triangulation.
 |---|--:|--:|--:|---|--:|--:|--:|---|
 )";
 
+bool IsAsked(const char* way) { return std::string(way).find(FLAGS_ways) != std::string::npos; }
+
 std::string Page(const StudyCall& call, const std::vector<Tally>& tallies) {
   std::string text = fmt::format("# Any cones\n\nMade by `{}`: {}", call.command, kAbout);
-  for (std::size_t i = 0; i < std::size(kWays); ++i) text += Row(kWays[i].name, tallies[i]);
-  text += Row(kMetrics, tallies.back());
+  for (std::size_t i = 0; i < std::size(kWays); ++i) {
+    if (IsAsked(kWays[i].name)) text += Row(kWays[i].name, tallies[i]);
+  }
+  if (IsAsked(kMetrics)) text += Row(kMetrics, tallies.back());
   return text;
 }
 
@@ -203,6 +209,9 @@ std::string Page(const StudyCall& call, const std::vector<Tally>& tallies) {
 Status RunAnyCones(const StudyCall& call) {
   if (Status s = NoArguments(call); !s.ok()) return s;
   if (FLAGS_surfaces < 1) return Status::InvalidInput("--surfaces: at least 1");
+  const bool any = IsAsked(kMetrics) || std::any_of(std::begin(kWays), std::end(kWays),
+                                                    [](const Way& w) { return IsAsked(w.name); });
+  if (!any) return Status::InvalidInput("--ways: no way has this in its name");
   std::vector<Tally> tallies(std::size(kWays) + 1);
   for (int number = FLAGS_from; number < FLAGS_from + FLAGS_surfaces; ++number) {
     Dice dice(static_cast<std::uint64_t>(number));
@@ -213,9 +222,9 @@ Status RunAnyCones(const StudyCall& call) {
     if (!surface.ok()) continue;
     const ConeTargets targets = DrawCones(surface->triangulation, &dice);
     for (std::size_t i = 0; i < std::size(kWays); ++i) {
-      Try(kWays[i], number, soup, *surface, targets, &tallies[i]);
+      if (IsAsked(kWays[i].name)) Try(kWays[i], number, soup, *surface, targets, &tallies[i]);
     }
-    TryMetric(number, *surface, targets, &tallies.back());
+    if (IsAsked(kMetrics)) TryMetric(number, *surface, targets, &tallies.back());
   }
   return Deliver(Page(call, tallies));
 }

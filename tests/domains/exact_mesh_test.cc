@@ -132,7 +132,8 @@ TEST(ExactMesh, OfAPolygonHasItsSidesAndCornersByBothPatterns) {
       const auto map = MapSurface(terrain, request);
       ASSERT_TRUE(map.ok()) << map.status().message();
       const std::vector<Eigen::Vector2d> exact = ExactPlaces(terrain, *map->exact_map);
-      for (const Index h : BoundaryLoops(terrain.triangulation).front()) {
+      const std::vector<Index> loop = BoundaryLoops(terrain.triangulation).front();
+      for (const Index h : loop) {
         // Both maps have the boundary's vertices on the same sides; the places along them are those
         // of the metrics with and without refinement.
         const Index v = terrain.triangulation.Tail(h);

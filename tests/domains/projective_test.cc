@@ -19,7 +19,7 @@
 namespace cirque {
 namespace {
 
-/// A flat patch that is Delaunay, so that all flips are Ptolemy's, with a narrow and a wide cone.
+/// A flat patch that is Delaunay, so that all flips are Ptolemy's, with narrow and wide cones.
 struct Coned {
   Surface surface;
   MapRequest request;
@@ -37,9 +37,10 @@ Coned ConedPatch(PatternKind pattern = PatternKind::kEquivalence) {
   for (Index v = 0; v < t.num_vertices; ++v) {
     if (!boundary[v]) inner.push_back(v);
   }
-  const Index narrow = inner[inner.size() / 3], wide = inner[2 * inner.size() / 3];
-  targets.lower[narrow] = targets.upper[narrow] = 0.5 * kPi;
-  targets.lower[wide] = targets.upper[wide] = 3 * kPi;
+  for (std::size_t k = 1; k < 8; ++k) {
+    const Index cone = inner[k * inner.size() / 8];
+    targets.lower[cone] = targets.upper[cone] = (k % 2 == 0 ? 0.5 : 3.5) * kPi;
+  }
   coned.request.targets = targets;
   return coned;
 }

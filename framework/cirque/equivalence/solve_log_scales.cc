@@ -22,7 +22,9 @@ constexpr double kAcceptedResidual = 1e-10;  ///< [rad]
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr double kNearResidual = 1e-6;  ///< [rad]: the solution, but for rounding
 constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
-constexpr int kMostSolvesOnPath = 300, kMostStepsOnPath = 20, kMostStepsToPath = 200;
+constexpr int kLeastSolvesOnPath = 20, kMostSolvesOnPath = 300, kMostStepsOnPath = 20,
+              kMostStepsToPath = 200;
+constexpr int kUnknownsOnPath = 200000;            ///< in all solves together
 constexpr int kLeastSolves = 2, kMostSolves = 12;  ///< each on a triangulation flipped anew
 constexpr double kProgress = 0.5;                  ///< of the residual from solve to solve
 
@@ -137,7 +139,7 @@ class LogScaleSolve {
         [&](const auto& energy, auto* u) { return strategy.Minimize(energy, control, u); });
     const bool exists = flips_ == Flips::kPtolemy;
     if (status.code() != StatusCode::kNotConverged || result_.residual <= kNearResidual ||
-        !exists) {
+        !exists || StoppedByTheCaller()) {
       return status;
     }
     const LogScalesResult direct = result_;
@@ -158,14 +160,23 @@ class LogScaleSolve {
   /// What leads from a problem that is easy to the one that is asked.
   enum class Path { kNone, kTargets, kLengths };
 
+  /// By a limit of fewer iterations than are usual.
+  bool StoppedByTheCaller() const {
+    return result_.solve.termination == Termination::kIterationLimit &&
+           result_.solve.num_iterations() < SolverLimits().max_iterations;
+  }
+
   ConformalEquivalenceEnergy Energy() const {
     return {start_.triangulation, log_lengths_, targets_, flips_, base_};
   }
 
-  static SolveSummary MinimizeRobustly(const ConformalEquivalenceEnergy& energy,
-                                       const SolverLimits& limits, const SolveControl& control,
-                                       Eigen::VectorXd* u) {
-    if (u->size() <= kMostLaplacianUnknowns) {
+  /// Where the metric is Delaunay throughout, beside no edge that is kept, no weight is below 0.
+  SolveSummary MinimizeRobustly(const ConformalEquivalenceEnergy& energy,
+                                const SolverLimits& limits, const SolveControl& control,
+                                Eigen::VectorXd* u) const {
+    const std::vector<Index>& twin = t_.twin;
+    const bool closed = std::find(twin.begin(), twin.end(), kNone) == twin.end();
+    if (closed && u->size() <= kMostLaplacianUnknowns) {
       return MinimizeByLaplacians(energy, limits, control, u);
     }
     return NewtonStrategy({limits, ""}).Minimize(energy, control, u);
@@ -186,6 +197,7 @@ class LogScaleSolve {
       Advance(energy.ScaleOfVertices(u.data()), &base_);
       if (!TakeAnew()) break;
       if (result_.residual <= kAcceptedResidual) return CheckTriangles();
+      if (StoppedByTheCaller()) break;
       if (i >= kLeastSolves && !(result_.residual < kProgress * last)) break;
       last = result_.residual;
     }
@@ -221,12 +233,14 @@ class LogScaleSolve {
     if (path == Path::kNone) return true;
     Eigen::VectorXd missing(n), zero = Eigen::VectorXd::Zero(n), ahead = zero;
     if (!Energy().Gradient(zero.data(), missing.data())) return false;
+    const int most_solves =
+        std::clamp(kUnknownsOnPath / std::max(n, 1), kLeastSolvesOnPath, kMostSolvesOnPath);
     double done = 0, step = kFirstStepOnPath;
     if (path == Path::kLengths && !Reach(At(path, 0, missing), kMostStepsToPath, control, &zero)) {
       return false;
     }
     for (int solves = 0; done < 1; ++solves) {
-      if (solves == kMostSolvesOnPath) return false;
+      if (solves == most_solves) return false;
       const double next = std::min(1.0, done + step);
       Eigen::VectorXd moved = (next - done) * ahead;
       const bool reached = Reach(At(path, next, missing), kMostStepsOnPath, control, &moved);
