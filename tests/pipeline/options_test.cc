@@ -22,9 +22,9 @@ TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
                                 injective, strict, exact, own_objective, own_cones] =
       ParameterizeOptions();
   EXPECT_EQ(ParameterizeOptionTable().Names().size(), 23u);
-  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, pins, axes,
-                                inversion] = DomainOptions();
-  EXPECT_EQ(DomainOptionTable().Names().size(), 9u);
+  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, pins,
+                                pin_weight, axes, inversion] = DomainOptions();
+  EXPECT_EQ(DomainOptionTable().Names().size(), 10u);
 }
 
 TEST(ParameterizeOptions, DefaultsAreValidAndEveryOptionIsExplained) {
