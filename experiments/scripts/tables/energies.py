@@ -149,7 +149,8 @@ def draw(runs, path):
         for colour, marker, strategy in zip(records.COLOURS, "os^Dv<", records.in_order(solver(run) for run in own)):
             points = [(run.triangles, measure(run)) for run in own if solver(run) == strategy and run.ok and measure(run)]
             if points:
-                axis.plot(*zip(*points), marker, color=colour, markersize=2, alpha=0.5, label=short(strategy))
+                axis.plot(*zip(*points), marker, color=colour, markersize=2, alpha=0.5, label=short(strategy),
+                          rasterized=True)
         axis.set(xscale="log", yscale="log", xlabel="triangles", ylabel=label)
         axis.legend(fontsize=6, markerscale=2)
     records.save(figure, path)
