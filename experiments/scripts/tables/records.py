@@ -62,7 +62,7 @@ def sample(runs, count=3):
     chosen = {}
     for run in sorted((r for r in runs if r.ok and is_everywhere(r)), key=lambda r: (r.cpu or 0, r.mesh)):
         name, value = figure_of(run)
-        if value is not None and (name != "quasi_conformal_mean" or value > 1.001):
+        if value and (name != "quasi_conformal_mean" or value > 1.001):
             chosen.setdefault(run.record["method"]["name"], run)
     return list(chosen.values())[:count]
 
