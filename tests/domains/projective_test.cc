@@ -58,7 +58,7 @@ Eigen::Vector3d Barycentric(const Triangulation& t, const ExactMap& map, Index c
 /// say, relative to their size.
 double OffProjective(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& points) {
   double largest = 0, off = 0;
-  Eigen::Matrix3d from, to;
+  Eigen::Matrix3d from = Eigen::Matrix3d::Identity(), to = from;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
