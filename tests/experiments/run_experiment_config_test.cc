@@ -61,7 +61,8 @@ const std::vector<BadConfig>& BadConfigs() {
        "exclude, time_limit, memory_limit, keep_maps, reference, measures, output, figures"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
-       "domain, exact, pattern, triangulation, retriangulate, angle_objective, angle_solver, "
+       "domain, exact, energy, energy_solver, energy_start, pattern, triangulation, retriangulate, "
+       "angle_objective, angle_solver, "
        "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, refine_cones, "
        "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
        "max_iterations"},
@@ -231,7 +232,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
           "/a.obj'; put it there, or skip it with 'optional: true'\n" +
           "    - file: a.obj\n            ^\n" +  //
           path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
-          "domain, exact, pattern, triangulation, retriangulate, angle_objective, angle_solver, "
+          "domain, exact, energy, energy_solver, energy_start, pattern, triangulation, "
+          "retriangulate, angle_objective, angle_solver, "
           "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, "
           "refine_cones, "
           "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
