@@ -54,11 +54,14 @@ const std::vector<BadConfig>& BadConfigs() {
        ":1:11: not valid YAML: the referenced anchor is not defined"},
       {"MisspeltTopKey", Config(kMesh, kMethod, "repeat: 2\n"),
        ":6:1: unknown key 'repeat'; did you mean 'repeats'? Known: question, meshes, methods, "
+       "peer, "
        "repeats, seeds, include, exclude, time_limit, memory_limit, keep_maps, reference, "
+       "against_refined, "
        "measures, output, figures"},
       {"MergeKey", Config(kMesh, kMethod, "<<: {repeats: 2}\n"),
-       ":6:1: unknown key '<<'. Known: question, meshes, methods, repeats, seeds, include, "
-       "exclude, time_limit, memory_limit, keep_maps, reference, measures, output, figures"},
+       ":6:1: unknown key '<<'. Known: question, meshes, methods, peer, repeats, seeds, include, "
+       "exclude, time_limit, memory_limit, keep_maps, reference, against_refined, measures, "
+       "output, figures"},
       {"MisspeltMethodKey", Config(kMesh, "{name: a, epsilom: 1}"),
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "domain, exact, energy, energy_solver, energy_start, pattern, triangulation, retriangulate, "
