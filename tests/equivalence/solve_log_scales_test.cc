@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/equivalence/double_surface.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/intrinsic/ptolemy_complex.h"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "cirque/equivalence/double_surface.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/intrinsic/normal_coordinates.h"

@@ -14,18 +14,6 @@
 
 namespace cirque {
 
-/// A surface and its mirror image, glued along the boundary: a closed surface. Face f of the
-/// surface is face f of the double, with the same halfedges and edges, and the mirror image of
-/// halfedge 3 f + k is MirrorHalfedge of it, of face F + f. Vertices of the boundary keep their
-/// numbers and are their own images; the images of the others follow behind.
-struct DoubledSurface {
-  Triangulation triangulation;
-  EdgeLengths lengths;
-  std::vector<Index> original;  ///< of the double's vertices: the one that it is or mirrors
-};
-
-DoubledSurface DoubleSurface(const Triangulation& triangulation, const EdgeLengths& lengths);
-
 /// A discretely conformally equivalent flat metric, or how far the solve came.
 struct LogScalesResult {
   /// Where it was solved, Delaunay in the flat metric: the surface's triangulation or, `doubled`,

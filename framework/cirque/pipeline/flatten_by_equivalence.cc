@@ -14,6 +14,7 @@
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/count.h"
 #include "cirque/core/text.h"
+#include "cirque/equivalence/double_surface.h"
 #include "cirque/equivalence/half_of_double.h"
 #include "cirque/equivalence/solve_log_scales.h"
 #include "cirque/math/compensated_sum.h"
