@@ -98,7 +98,7 @@ TEST_F(FaultInjection, ASweepLosesNothingAndGoesOnSlow) {
   const std::string command =
       fmt::format("run_experiment --report=false --output={} {}", folder_.Path("results"), config);
   int faults = 0;
-  for (const std::string function : {"write", "fsync", "waitpid", "fork", "malloc"}) {
+  for (const std::string function : {"write", "fsync", "wait", "fork", "malloc"}) {
     int call = 1;
     for (; call < 2000; call = NextCall(call) + (function == "malloc" ? 7 : 0)) {
       fs::remove_all(folder_.Path("results"));

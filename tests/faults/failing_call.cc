@@ -1,12 +1,14 @@
 // Preloaded into a program (LD_PRELOAD), makes its N-th call of one function of the system fail:
-//   FAILING_CALL=malloc:N, write:N, fsync:N, waitpid:N or fork:N
+//   FAILING_CALL=malloc:N, write:N, fsync:N, wait:N (waitpid, wait4) or fork:N
 //   FAILING_CALL_MARK=FILE   made when that call came
 // Counts from when the program asks not to be killed by closed pipes, which every main does first
 // (experiments/common/program.cc): what libraries do while they are loaded is not ours. glibc.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/types.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -81,12 +83,16 @@ int fdatasync(int file) {
   return static_cast<int>(syscall(SYS_fdatasync, file));
 }
 
-pid_t waitpid(pid_t child, int* status, int options) {
-  if (Fails("waitpid")) {
+pid_t wait4(pid_t child, int* status, int options, rusage* usage) noexcept {
+  if (Fails("wait")) {
     errno = EINTR;
     return -1;
   }
-  return static_cast<pid_t>(syscall(SYS_wait4, child, status, options, nullptr));
+  return static_cast<pid_t>(syscall(SYS_wait4, child, status, options, usage));
+}
+
+pid_t waitpid(pid_t child, int* status, int options) {
+  return wait4(child, status, options, nullptr);
 }
 
 pid_t fork() noexcept {

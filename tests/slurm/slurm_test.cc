@@ -110,7 +110,7 @@ void WriteCorpus(const std::string& folder) {
   std::filesystem::create_directories(folder);
   for (int i = 0; i < kCorpus; ++i) {
     GeneratorOptions options;
-    options.triangles = 2000 + 20 * i;
+    options.triangles = 1000 + 10 * i;
     options.seed = static_cast<unsigned>(i + 1);
     const auto mesh = GenerateMesh(generators[i % 5], options);
     ASSERT_TRUE(mesh.ok()) << mesh.status().message();

@@ -3,7 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "experiments/run_experiment/config/config_text.h"
-#include "experiments/run_experiment/config/schema.h"
+#include "experiments/run_experiment/config/schema_field.h"
 
 namespace cirque {
 

@@ -9,7 +9,7 @@
 
 #include "experiments/run_experiment/config/config_text.h"
 #include "experiments/run_experiment/config/planned_run.h"
-#include "experiments/run_experiment/config/schema.h"
+#include "experiments/run_experiment/config/schema_field.h"
 
 namespace cirque {
 
