@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cirque/cones/given_file.h"
 #include "cirque/cones/log_scale_norm.h"
 #include "cirque/cones/registry.h"
 #include "cirque/core/text.h"
@@ -151,26 +152,12 @@ class Straight final : public BoundaryShape {
   StraightOptions options_;
 };
 
-struct GivenOptions {
-  std::string file;
-};
-
-const OptionTable<GivenOptions>& GivenTable() {
-  static const OptionTable<GivenOptions> kTable(
-      "given", {{"file", &GivenOptions::file, "a cone file: 'vertex min max' a line"}});
-  return kTable;
-}
-
 class Given final : public BoundaryShape {
  public:
   explicit Given(GivenOptions options) : options_(std::move(options)) {}
 
   StatusOr<Eigen::VectorXd> Choose(BoundaryProblem* problem) const override {
-    if (options_.file.empty()) {
-      return Status::InvalidInput("given: name the cone file, as in given:file=PATH");
-    }
-    const auto targets =
-        ReadConeFile(options_.file, problem->input().triangulation, problem->file());
+    const auto targets = ReadGiven(options_, problem->input().triangulation, problem->file());
     if (!targets.ok()) return targets.status();
     const StatusOr<Eigen::VectorXd> isometric = Isometric().Choose(problem);
     if (!isometric.ok()) return isometric;
@@ -197,7 +184,7 @@ const Registry<BoundaryShapeFactory>& BoundaryShapes() {
                       {"least_area", FactoryOf<BoundaryShape, LeastNorm>(LeastAreaTable())},
                       {"least_max", FactoryOf<BoundaryShape, LeastNorm>(LeastMaxTable())},
                       {"straight", FactoryOf<BoundaryShape, Straight>(StraightTable())},
-                      {"given", FactoryOf<BoundaryShape, Given>(GivenTable())},
+                      {"given", FactoryOf<BoundaryShape, Given>(GivenOptionTable())},
                   });
   return kTable;
 }

@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "cirque/cones/curvature_peaks.h"
+#include "cirque/cones/given_file.h"
 #include "cirque/cones/greedy_cones.h"
 #include "cirque/cones/moving_cones.h"
 #include "cirque/cones/seamless_cones.h"
 #include "cirque/cones/sparse_cones.h"
 #include "cirque/core/option.h"
-#include "cirque/io/cone_file.h"
 
 namespace cirque {
 namespace {
@@ -22,27 +22,13 @@ class NoCones final : public ConeHeuristic {
   }
 };
 
-struct GivenOptions {
-  std::string file;
-};
-
-const OptionTable<GivenOptions>& GivenOptionTable() {
-  static const OptionTable<GivenOptions> kTable(
-      "given", {{"file", &GivenOptions::file, "a cone file: 'vertex min max' a line"}});
-  return kTable;
-}
-
 class GivenCones final : public ConeHeuristic {
  public:
   explicit GivenCones(GivenOptions options) : options_(std::move(options)) {}
 
   StatusOr<std::vector<Cone>> Choose(const ConeProblem& problem) const override {
-    if (options_.file.empty()) {
-      return Status::InvalidInput("given: name the cone file, as in given:file=PATH");
-    }
     const ConeSource& source = problem.source();
-    const StatusOr<ConeTargets> targets =
-        ReadConeFile(options_.file, source.surface->triangulation, source.file);
+    const auto targets = ReadGiven(options_, source.surface->triangulation, source.file);
     if (!targets.ok()) return targets.status();
     return ConesOf(source.surface->triangulation, *targets);
   }
