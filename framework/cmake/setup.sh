@@ -150,3 +150,29 @@ run_ctest() {
     "${ctest[@]}" | grep --line-buffered -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed '
   fi
 }
+
+# run_shards PRESET SECONDS [gtest flags]: the fast tests of a build in as many processes as there are
+# cores, each to be done within SECONDS: where a start of the program costs more than most tests do.
+run_shards() {
+  local preset=$1 seconds=$2 shard status=0
+  local -a running=() logs=()
+  shift 2
+  say "testing build/$preset"
+  for ((shard = 0; shard < $(nproc); shard++)); do
+    logs+=("$(mktemp)")
+    (cd "$project/build/$preset/tests" && OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 \
+      GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$shard timeout -k 10 "$seconds" \
+      ../bin/cirque_tests --gtest_filter='-*Slow*' "$@") > "${logs[-1]}" 2>&1 &
+    running+=($!)
+  done
+  for shard in "${!running[@]}"; do
+    wait "${running[$shard]}" || status=$?
+    # All but the tests that pass, and the one that ran when time was over.
+    awk '/^\[ RUN/ { run = $0; next }
+         /^\[ +OK/ && run { run = ""; next }
+         { if (run) print run; run = ""; print }
+         END { if (run) print run }' "${logs[$shard]}" >&2
+    rm -f "${logs[$shard]}"
+  done
+  return "$status"
+}
