@@ -154,14 +154,15 @@ run_ctest() {
 # run_shards PRESET SECONDS [gtest flags]: the fast tests of a build in as many processes as there are
 # cores, each to be done within SECONDS: where a start of the program costs more than most tests do.
 run_shards() {
-  local preset=$1 seconds=$2 shard status=0
+  local preset=$1 seconds=$2 shards shard status=0
+  shards=$(nproc)  # which OMP_NUM_THREADS would change
   local -a running=() logs=()
   shift 2
   say "testing build/$preset"
-  for ((shard = 0; shard < $(nproc); shard++)); do
+  for ((shard = 0; shard < shards; shard++)); do
     logs+=("$(mktemp)")
     (cd "$project/build/$preset/tests" && OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 \
-      GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$shard timeout -k 10 "$seconds" \
+      GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard timeout -k 10 "$seconds" \
       ../bin/cirque_tests --gtest_filter='-*Slow*' "$@") > "${logs[-1]}" 2>&1 &
     running+=($!)
   done
