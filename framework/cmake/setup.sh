@@ -167,12 +167,17 @@ run_shards() {
     running+=($!)
   done
   for shard in "${!running[@]}"; do
-    wait "${running[$shard]}" || status=$?
-    # All but the tests that pass, and the one that ran when time was over.
-    awk '/^\[ RUN/ { run = $0; next }
-         /^\[ +OK/ && run { run = ""; next }
-         { if (run) print run; run = ""; print }
-         END { if (run) print run }' "${logs[$shard]}" >&2
+    if wait "${running[$shard]}"; then
+      grep -aE '^\[ +(PASSED|SKIPPED) +\] [0-9]' "${logs[$shard]}" >&2
+    else
+      status=1
+      # All but the tests that pass, and the one that ran when time was over.
+      awk '/^\[ RUN/ { run = $0; next }
+           /^\[ +OK/ && run { run = ""; next }
+           /^\[-/ || /^$/ { next }
+           { if (run) print run; run = ""; print }
+           END { if (run) print run }' "${logs[$shard]}" >&2
+    fi
     rm -f "${logs[$shard]}"
   done
   return "$status"
