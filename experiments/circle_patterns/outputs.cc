@@ -103,8 +103,11 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
   const Status measured = WriteMeasures(
       job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
   if (!measured.ok() || !WantsPictures(job)) return measured;
-  return WritePictures(job.view, job.picture, TitleOf(job), MakeUvMap(input.surface, uv),
-                       map->certificate, report);
+  UvMap image = MakeUvMap(input.surface, uv);
+  const Certificate& certificate = map->certificate;
+  if (certificate.integers && certificate.integers->integer_obstacle.empty())
+    image.lattice = job.options.holonomy == HolonomyRule::kHalves ? 4 : 6;
+  return WritePictures(job.view, job.picture, TitleOf(job), image, certificate, report);
 }
 
 /// Whether the names' formats can hold what is to be written.

@@ -66,7 +66,8 @@ const std::vector<BadConfig>& BadConfigs() {
        ":5:15: unknown key of 'methods' 'epsilom'; did you mean 'epsilon'? Known: name, "
        "domain, exact, energy, energy_solver, energy_start, pattern, triangulation, retriangulate, "
        "angle_objective, angle_solver, "
-       "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, refine_cones, "
+       "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, integer_cells, boundary, "
+       "refine_cones, "
        "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
        "max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
@@ -237,7 +238,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
           path + ":7:5: unknown key of 'methods' 'nam'; did you mean 'name'? Known: name, " +
           "domain, exact, energy, energy_solver, energy_start, pattern, triangulation, "
           "retriangulate, angle_objective, angle_solver, "
-          "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, boundary, "
+          "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, integer_cells, "
+          "boundary, "
           "refine_cones, "
           "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
           "max_iterations, strict\n    "

@@ -17,11 +17,11 @@ TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
   // but the last three.
   [[maybe_unused]] const auto& [pattern, triangulation, retriangulate, angle_objective,
                                 angle_solver, radii_solver, layout, cones, cone_budget, cone_angles,
-                                holonomy, boundary, refine_cones, refine_map, seams, cut_cost,
-                                edge_costs, epsilon, max_iterations, solve_at, exact_limit,
-                                injective, strict, exact, own_objective, own_cones] =
+                                holonomy, integer_cells, boundary, refine_cones, refine_map, seams,
+                                cut_cost, edge_costs, epsilon, max_iterations, solve_at,
+                                exact_limit, injective, strict, exact, own_objective, own_cones] =
       ParameterizeOptions();
-  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 23u);
+  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 24u);
   [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, pins,
                                 pin_weight, axes, inversion] = DomainOptions();
   EXPECT_EQ(DomainOptionTable().Names().size(), 10u);

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "cirque/lattice/lattice_map.h"
+
 namespace cirque {
 namespace {
 
@@ -80,6 +82,15 @@ Rgb CheckAt(const Eigen::Vector2d& place, double width) {
   return (1 - grey) * own + grey * mean;
 }
 
+/// Dots on the points of a lattice of triangles, which its rotations take to themselves.
+Rgb DotAt(const Eigen::Vector2d& place, double width) {
+  constexpr double kRadius = 0.3;
+  const double from = (NearestInLattice(LatticeKind::kTriangles, place) - place).norm();
+  const float grey = Smooth(0.35, 1, width);
+  const Rgb own = from < kRadius ? kDark : kLight, mean = (kDark + kLight) / 2;
+  return (1 - grey) * own + grey * mean;
+}
+
 /// Where Mercator's projection, times a whole number of squares, has a point of the sphere.
 Eigen::Vector2d Mercator(const Eigen::Vector3d& point) {
   const Eigen::Vector3d p = point.normalized();
@@ -120,6 +131,7 @@ class Stage {
   }
 
   void DrawSeams(Raster* raster) const {
+    if (map_.lattice > 0) return;  // there is nothing to be seen there
     const Rgb colour(kSeamColour[0], kSeamColour[1], kSeamColour[2]);
     const Eigen::Vector3d towards(0, 0, -kTowards);
     for (const Index h : map_.seams) {
@@ -146,9 +158,12 @@ class Stage {
   }
   double X(double x) const { return scale_ * (kPanel / 2 + x * (kPanel / 2 - kMargin)); }
 
-  /// In pairs of squares.
+  /// In pairs of squares, or dots. On a lattice whole ones, the points in the middle of a square.
   Eigen::Vector2d OnImage(Index h) const {
-    return kChecks / image_.radius * (map_.uv.value[h] - image_.middle.head<2>());
+    const double many = kChecks / image_.radius;
+    if (map_.lattice == 0) return many * (map_.uv.value[h] - image_.middle.head<2>());
+    const Eigen::Vector2d whole = std::max(1., std::round(many)) * map_.uv.value[h];
+    return map_.lattice == 4 ? Eigen::Vector2d(whole.array() + 0.25) : whole;
   }
 
   void DrawFace(Index f, Raster* raster) const {
@@ -169,6 +184,7 @@ class Stage {
         place = Mercator(b[0] * map_.on_sphere[v[0]] + b[1] * map_.on_sphere[v[1]] +
                          b[2] * map_.on_sphere[v[2]]);
       }
+      if (map_.lattice == 6) return LightOn(normal, 0.42) * DotAt(place, width);
       return LightOn(normal, 0.42) * CheckAt(place, map_.IsOnSphere() ? 0 : width);
     });
   }

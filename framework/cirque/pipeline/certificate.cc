@@ -158,6 +158,13 @@ std::string MissedRotation(const HolonomySummary& holonomy) {
       holonomy.holonomy_loop, holonomy.holonomy_miss, holonomy.holonomy_angle_change);
 }
 
+/// Smaller cells help there, another road does not.
+std::string MissedLattice(const Certificate& certificate) {
+  if (!certificate.integers || certificate.integers->integer_obstacle.empty()) return "";
+  return "the map has no flipped triangle and is seamless, but not on a lattice: " +
+         certificate.integers->integer_obstacle;
+}
+
 }  // namespace
 
 std::string Inaccuracy(const Certificate& certificate) {
@@ -181,6 +188,7 @@ Status Conclude(const Status& status, const Timer& timer, Certificate* certifica
   certificate->message = status.message();
   if (!status.ok()) return status;
   certificate->message = Inaccuracy(*certificate);
+  if (certificate->message.empty()) certificate->message = MissedLattice(*certificate);
   if (!certificate->message.empty()) certificate->outcome = kInaccurate;
   return status;
 }

@@ -42,6 +42,7 @@ struct Certificate {
   std::optional<ConeRefinementSummary> cone_refinement;
   std::optional<LayoutSummary> layout;
   std::optional<SeamSummary> seams;
+  std::optional<IntegerSummary> integers;
   std::optional<DecimatedSolveSummary> decimated_solve;
   std::optional<MapRefinementSummary> map_refinement;
   std::optional<DistortionSummary> distortion;

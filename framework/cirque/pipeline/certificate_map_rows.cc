@@ -7,6 +7,7 @@ using C = Certificate;
 
 constexpr char kLayout[] = "layout";
 constexpr char kSeams[] = "seams";
+constexpr char kIntegers[] = "a lattice that was asked for";
 constexpr char kDecimated[] = "solve of the decimated surface";
 constexpr char kRefinedMap[] = "refinement of the map";
 constexpr char kDistortion[] = "distortion";
@@ -52,6 +53,16 @@ constexpr CertificateRow kRows[] = {
     {"cone_rotation_mismatch", kSeams, "rad",
      "largest difference of the rotation around a cone from its angle",
      ReadMember<&C::seams, &SeamSummary::cone_rotation_mismatch>},
+    {"integer_cells", kIntegers, "", "cells of the lattice that were asked for, about",
+     ReadMember<&C::integers, &IntegerSummary::integer_cells>},
+    {"integer_gap", kIntegers, "cells",
+     "largest distance of a cone from the lattice's points, of a seam's translation from its "
+     "vectors",
+     ReadMember<&C::integers, &IntegerSummary::integer_gap>},
+    {"integer_shift", kIntegers, "cells", "largest move of a vertex that brought the map there",
+     ReadMember<&C::integers, &IntegerSummary::integer_shift>},
+    {"integer_obstacle", kIntegers, "", "why the map is not there; empty: it is",
+     ReadMember<&C::integers, &IntegerSummary::integer_obstacle>},
     {"solved_faces", kDecimated, "", "faces of the decimated surface that was mapped",
      ReadMember<&C::decimated_solve, &DecimatedSolveSummary::solved_faces>},
     {"collapses", kDecimated, "", "vertices put back into its map",

@@ -16,14 +16,15 @@
 #include "cirque/pipeline/flatten_by_equivalence.h"
 #include "cirque/pipeline/make_injective.h"
 #include "cirque/pipeline/prescribe_boundary.h"
+#include "cirque/pipeline/whole_translations.h"
 
 namespace cirque {
 namespace {
 
 using Job = ParameterizeJob;
 
-/// CutAndPlace, timed, with what makes the image injective and the exact map where they are asked
-/// for.
+/// CutAndPlace, timed, with what makes the image injective, the lattice and the exact map where they are
+/// asked for.
 Status LayOut(const Job& job, Parameterization* result) {
   const Timer timer;
   job.control.BeginStage("layout");
@@ -31,6 +32,7 @@ Status LayOut(const Job& job, Parameterization* result) {
   result->certificate.rotations = MeasureRotations(result->flat);
   AddSeconds(timer, &result->certificate.seconds.layout);
   if (status.ok() && job.options.injective) status = MakeInjective(job, FlattenToTargets, result);
+  if (status.ok() && job.options.integer_cells > 0) MoveOntoLattice(job, result);
   if (!status.ok() || !job.options.exact) return status;
   return LayOutExactly(job, result);
 }

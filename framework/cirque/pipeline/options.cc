@@ -58,6 +58,13 @@ std::vector<Option<O>> ConeOptions() {
        "what directions turn by along every loop of the flat metric, handles too: free, or "
        "multiples of pi/2 or pi/3, for which cones get such angles, are moved, and the angles "
        "close what is left"},
+      Option<O>(
+          "integer_cells", &O::integer_cells,
+          "with holonomy: move the map, least, until cones lie on points of a lattice of "
+          "about so many cells and the translations across seams are vectors of it, so that "
+          "a texture that repeats by the lattice (squares for pi/2, triangles for pi/3) has no "
+          "seam; UVs are in cells; 0: no lattice")
+          .Between(0, 100000000),
       Option<O>("boundary", &O::boundary,
                 "what the boundary looks like: NAME or NAME:KEY=VALUE,...; free: as the angle fit "
                 "has it; names " +
@@ -170,12 +177,31 @@ Status CheckHolonomy(const ParameterizeOptions& options) {
   return Status();
 }
 
+/// What a lattice needs and does not go with.
+Status CheckIntegers(const ParameterizeOptions& options) {
+  if (options.integer_cells == 0) return Status();
+  if (options.holonomy == HolonomyRule::kFree) {
+    return Status::InvalidInput(
+        "integer_cells needs rotations by multiples: holonomy = pi/2 (squares) or pi/3 "
+        "(triangles)");
+  }
+  const char* other = options.exact          ? "exact"
+                      : options.injective    ? "injective"
+                      : options.solve_at > 0 ? "solve_at"
+                                             : nullptr;
+  if (!other) return Status();
+  return Status::InvalidInput(std::string("integer_cells moves the map of the whole surface's own "
+                                          "triangles; leave out ") +
+                              other);
+}
+
 }  // namespace
 
 Status CheckOptions(const ParameterizeOptions& options) {
   if (Status s = ParameterizeOptionTable().Validate(options); !s.ok()) return s;
   if (Status s = CheckPattern(options); !s.ok()) return s;
   if (Status s = CheckHolonomy(options); !s.ok()) return s;
+  if (Status s = CheckIntegers(options); !s.ok()) return s;
   if (options.own_cones && !options.cones.empty()) {
     return Status::InvalidInput("give own_cones or the name of a heuristic, not both");
   }

@@ -85,6 +85,7 @@ struct ParameterizeOptions {
   int cone_budget = -1;              ///< the heuristic's option `cones`; -1: its own default
   std::string cone_angles = "free";  ///< "free", "pi/2", "pi/3", "ranges" or "ranges:width=RADIANS"
   HolonomyRule holonomy = HolonomyRule::kFree;
+  int integer_cells = 0;  ///< of a lattice that the map is brought onto (MoveOntoLattice); 0: none
   /// "free": the angle fit chooses the boundary's angle sums; or one of BoundaryShapes(), with
   /// options as in "least_area:share=0.25".
   std::string boundary = "free";

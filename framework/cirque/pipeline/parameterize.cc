@@ -93,10 +93,8 @@ struct Origin {
   std::vector<bool> inside;  ///< E: edges inside polygons; empty: none
 };
 
-Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
-                  const ParameterizeRequest& request, const SolveControl& control,
-                  Parameterization* result) {
-  *result = Parameterization();
+/// Whether a surface may be parameterized so.
+Status CheckRequest(const IntrinsicSurface& surface, const ParameterizeRequest& request) {
   const ParameterizeOptions& options = request.options;
   const Status fit =
       request.targets ? ParameterizeOptionTable().Validate(options) : CheckOptions(options);
@@ -110,6 +108,22 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
         "exact: its seams are chosen before the image can be made injective; leave out exact or "
         "injective");
   }
+  const std::vector<bool>& boundary = surface.boundary;
+  if (options.integer_cells > 0 &&
+      std::find(boundary.begin(), boundary.end(), true) != boundary.end()) {
+    return Status::InvalidInput(
+        "integer_cells: the surface has a boundary, which no lattice is made to follow; leave it "
+        "out");
+  }
+  return Status();
+}
+
+Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
+                  const ParameterizeRequest& request, const SolveControl& control,
+                  Parameterization* result) {
+  *result = Parameterization();
+  const ParameterizeOptions& options = request.options;
+  if (Status s = CheckRequest(surface, request); !s.ok()) return s;
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
     return TakeRoad({surface, origin.file, cut, road.options, control,

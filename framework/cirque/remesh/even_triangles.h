@@ -6,7 +6,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 #include "cirque/remesh/flat_mesh.h"
 
 namespace cirque {

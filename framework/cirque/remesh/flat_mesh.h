@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "cirque/core/triangulation.h"
-#include "cirque/remesh/flat_domain.h"
-#include "cirque/remesh/rigid_motion.h"
+#include "cirque/lattice/flat_domain.h"
+#include "cirque/lattice/rigid_motion.h"
 
 namespace cirque {
 

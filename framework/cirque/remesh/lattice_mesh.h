@@ -5,9 +5,9 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 #include "cirque/remesh/flat_mesh.h"
-#include "cirque/remesh/lattice_map.h"
+#include "cirque/lattice/lattice_map.h"
 
 namespace cirque {
 

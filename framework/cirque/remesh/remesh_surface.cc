@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "cirque/remesh/even_triangles.h"
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 #include "cirque/remesh/flat_mesh.h"
-#include "cirque/remesh/lattice_map.h"
+#include "cirque/lattice/lattice_map.h"
 #include "cirque/remesh/lattice_mesh.h"
 #include "cirque/remesh/solved_pieces.h"
 

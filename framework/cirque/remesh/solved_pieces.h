@@ -10,7 +10,7 @@
 #include "cirque/core/types.h"
 #include "cirque/layout/exact_map.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 
 namespace cirque {
 

@@ -1,4 +1,4 @@
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 
 #include <algorithm>
 #include <cmath>

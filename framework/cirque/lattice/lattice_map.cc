@@ -1,4 +1,4 @@
-#include "cirque/remesh/lattice_map.h"
+#include "cirque/lattice/lattice_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
-#include "cirque/remesh/opened_domain.h"
+#include "cirque/lattice/opened_domain.h"
 
 namespace cirque {
 namespace {
@@ -175,13 +175,14 @@ Point NearestInLattice(LatticeKind kind, const Point& point) {
   return nearest;
 }
 
-StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, double cell) {
+StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, double cell,
+                                    const Cut* cut) {
   if (!domain.loops().empty()) {
     return Status::InvalidInput(
         "lattices: a surface with a boundary, which no lattice is made to follow; leave it out");
   }
   OpenedDomain open(domain, OrderOf(kind));
-  if (Status s = open.Open(cell); !s.ok()) return s;
+  if (Status s = open.Open(cell, cut); !s.ok()) return s;
   const StatusOr<FreeSides> free = FindFreeSides(open, kind);
   if (!free.ok()) return free.status();
   const StatusOr<SideForm> form = FormOf(open, *free);
@@ -194,7 +195,7 @@ StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, 
     return Status(
         StatusCode::kNotConverged,
         fmt::format("the lattice map: triangles would be flipped ({}) by bringing cones and "
-                    "seams onto the lattice; ask for shorter edges",
+                    "seams onto the lattice; ask for smaller cells",
                     flipped));
   }
   return map;

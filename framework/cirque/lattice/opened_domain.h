@@ -9,9 +9,9 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
+#include "cirque/lattice/flat_domain.h"
 #include "cirque/layout/seams.h"
 #include "cirque/linear/hermitian_cholesky.h"
-#include "cirque/remesh/flat_domain.h"
 
 namespace cirque {
 
@@ -24,9 +24,9 @@ class OpenedDomain {
   OpenedDomain(const FlatDomain& domain, int order)
       : domain_(domain), t_(domain.triangulation()), order_(order) {}
 
-  /// Cuts it to a disk and lays that out with cells of this size. Error (invalid input): rotations along
-  /// loops that are no multiples (1e-6 rad).
-  Status Open(double cell);
+  /// Cuts it to a disk, along the given cut or, without one, a short one, and lays that out with cells of
+  /// this size. Error (invalid input): rotations along loops that are no multiples (1e-6 rad).
+  Status Open(double cell, const Cut* given = nullptr);
 
   /// Makes faces stiffer, each by its factor.
   Status Stiffen(const Eigen::VectorXd& factors);

@@ -3,7 +3,7 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/remesh/flat_domain.h"
+#include "cirque/lattice/flat_domain.h"
 
 namespace cirque {
 
@@ -30,10 +30,12 @@ struct LatticeMap {
 /// one factor of the Laplacian with the seams' rotations and one solve for each side; the lattice
 /// vector near its minimum is found from its Cholesky factor, plane by plane (L. Babai, "On Lovasz'
 /// lattice reduction and the nearest lattice point problem", 1986), for a number of directions of the
-/// lattice, of which the least energy counts.
+/// lattice, of which the least energy counts. The domain is opened along `cut`, which leaves a disk and
+/// no cone inside; null: along a short one.
 ///
 /// Errors: kInvalidInput, a boundary, or rotations along loops that are no multiples (1e-6 rad);
 /// kNotConverged, triangles would be flipped, as where cones are closer to each other than a cell.
-StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, double cell);
+StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, double cell,
+                                    const Cut* cut = nullptr);
 
 }  // namespace cirque

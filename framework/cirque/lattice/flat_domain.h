@@ -7,7 +7,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/remesh/rigid_motion.h"
+#include "cirque/lattice/rigid_motion.h"
 
 namespace cirque {
 

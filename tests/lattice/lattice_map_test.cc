@@ -1,4 +1,4 @@
-#include "cirque/remesh/lattice_map.h"
+#include "cirque/lattice/lattice_map.h"
 
 #include <cmath>
 #include <complex>

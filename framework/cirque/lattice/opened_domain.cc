@@ -1,4 +1,4 @@
-#include "cirque/remesh/opened_domain.h"
+#include "cirque/lattice/opened_domain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,14 +49,14 @@ EdgeLengths LengthsOf(const FlatDomain& domain) {
 
 }  // namespace
 
-Status OpenedDomain::Open(double cell) {
+Status OpenedDomain::Open(double cell, const Cut* given) {
   std::vector<Index> cones;
   for (Index v = 0; v < t_.num_vertices; ++v) {
     if (domain_.IsCone(v)) cones.push_back(v);
   }
   const EdgeLengths lengths = LengthsOf(domain_);
   const CornerAngles angles = AnglesOf(domain_);
-  const StatusOr<Cut> cut = CutGraph(t_, lengths.value, cones);
+  const StatusOr<Cut> cut = given ? *given : CutGraph(t_, lengths.value, cones);
   if (!cut.ok()) return cut.status();
   open_ = CutOpen(t_, *cut);
   uv_ = LayOutPatches(t_, angles, lengths, *cut).uv;
