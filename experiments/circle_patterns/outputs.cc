@@ -105,7 +105,7 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
   if (!measured.ok() || !WantsPictures(job)) return measured;
   UvMap image = MakeUvMap(input.surface, uv);
   const Certificate& certificate = map->certificate;
-  if (certificate.integers && certificate.integers->integer_obstacle.empty())
+  if (certificate.integers && certificate.integers->integer_gap)
     image.lattice = job.options.holonomy == HolonomyRule::kHalves ? 4 : 6;
   return WritePictures(job.view, job.picture, TitleOf(job), image, certificate, report);
 }

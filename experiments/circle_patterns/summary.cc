@@ -81,10 +81,10 @@ std::string ConeLines(const Certificate& c) {
         "angles\n",
         c.rotations->rotations.size(), c.holonomy->holonomy_miss, c.holonomy->holonomy_miss_before);
   }
-  if (c.integers && c.integers->integer_obstacle.empty()) {
+  if (c.integers && c.integers->integer_gap) {
     text += fmt::format(
         "lattice     cones and seams on it to {:.1e} cells; vertices moved by up to {:.2f} cells\n",
-        c.integers->integer_gap, c.integers->integer_shift);
+        *c.integers->integer_gap, *c.integers->integer_shift);
   }
   if (c.layout && c.layout->further_cut_edges.value_or(0) > 0) {
     text += fmt::format(

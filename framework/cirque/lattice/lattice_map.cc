@@ -195,7 +195,7 @@ StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, 
     return Status(
         StatusCode::kNotConverged,
         fmt::format("the lattice map: triangles would be flipped ({}) by bringing cones and "
-                    "seams onto the lattice; ask for smaller cells",
+                    "seams onto the lattice; ask for smaller cells, of shorter edges",
                     flipped));
   }
   return map;

@@ -61,8 +61,6 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::integers, &IntegerSummary::integer_gap>},
     {"integer_shift", kIntegers, "cells", "largest move of a vertex that brought the map there",
      ReadMember<&C::integers, &IntegerSummary::integer_shift>},
-    {"integer_obstacle", kIntegers, "", "why the map is not there; empty: it is",
-     ReadMember<&C::integers, &IntegerSummary::integer_obstacle>},
     {"solved_faces", kDecimated, "", "faces of the decimated surface that was mapped",
      ReadMember<&C::decimated_solve, &DecimatedSolveSummary::solved_faces>},
     {"collapses", kDecimated, "", "vertices put back into its map",

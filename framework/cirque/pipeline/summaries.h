@@ -158,10 +158,11 @@ struct SeamSummary {
 
 /// A map brought onto a lattice (MoveOntoLattice).
 struct IntegerSummary {
-  int integer_cells = 0;        ///< of the lattice, asked for
-  double integer_gap = kUnset;  ///< cells: of cones from its points, translations from its vectors
-  double integer_shift = kUnset;  ///< cells: by which a corner was moved, at most
-  std::string integer_obstacle;   ///< why it is not there; empty: it is
+  int integer_cells = 0;  ///< of the lattice, asked for
+  std::optional<double>
+      integer_gap;  ///< cells: of cones from its points, translations from its vectors
+  std::optional<double> integer_shift;  ///< cells: by which a corner was moved, at most
+  std::string integer_obstacle;         ///< why it is not there; empty: it is
 };
 
 /// A map of a decimated surface, carried back to the surface itself (UndoCollapses).
