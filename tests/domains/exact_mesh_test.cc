@@ -156,9 +156,9 @@ TEST(ExactMesh, IsRefusedAboveItsLimitAndByOtherDomains) {
   MapRequest small = ExactRequest();
   small.options.exact_limit = 100;
   EXPECT_THAT(MapSurface(terrain, small).status().message(), testing::HasSubstr("exact_limit"));
-  MapRequest disk = ExactRequest();
-  disk.domain = "disk";
-  EXPECT_THAT(MapSurface(terrain, disk).status().message(), testing::HasSubstr("takes no exact"));
+  MapRequest holes = ExactRequest();
+  holes.domain = "round_holes";
+  EXPECT_THAT(MapSurface(terrain, holes).status().message(), testing::HasSubstr("takes no exact"));
 }
 
 MapRequest ByEquivalence() {

@@ -37,12 +37,16 @@ namespace cirque {
 /// Flatten: kInfeasible with a proof about the input's connectivity without the faces beyond chords
 /// and those of the proof's removed vertex, a pole, the boundary straight but along the pole's
 /// link, which is bounded only. `result` has no flat metric of the whole surface.
+///
+/// The exact map is that of the first solve, before any edge was locked, placed and refined by
+/// itself (DrawExactDisk). Nothing is spread out beside it, and where the map at the vertices flips
+/// triangles they are where the exact one has them.
 Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
                  SurfaceMap* map);
 
 /// The same solve, in the upper half-plane: the boundary on the real axis from 0 to 1, the pole,
 /// which belongs at infinity, at a finite point high above (0.5 + i pole_height) from which its
-/// faces are not flipped. Errors as above; also kInvalidInput for faces beyond an edge that joins
+/// faces are not flipped. Exact maps and errors as above; also kInvalidInput for faces beyond an edge that joins
 /// two boundary vertices. Certificate: HalfPlaneSummary, flipped_triangles and the measures.
 Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
                       const SolveControl& control, SurfaceMap* map);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/disk_placement.h"
+#include "cirque/domains/exact_disk.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/mesh/split_chords.h"
 #include "cirque/metrics/injectivity.h"
@@ -91,12 +93,13 @@ void MeasureCore(const Surface& surface, const EdgeLengths& lengths, const Corne
   summary->core_quasi_conformal_max = largest;
 }
 
-/// A map without flipped triangles.
+/// A map whose triangles are not flipped but where an exact one is beside it.
 void Deliver(const Triangulation& t, const EdgeLengths& lengths, CornerUv uv, SurfaceMap* map) {
   const Timer timer;
   map->uv = std::move(uv);
   map->cut.edge.assign(t.num_edges(), false);
-  Fill(&map->certificate.layout).flipped_triangles = 0;
+  const std::size_t flipped = map->exact_map ? FlippedFaces(t, map->uv).size() : 0;
+  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped);
   MeasureDistortion(t, lengths, map->cut, map->uv, &map->certificate);
   map->certificate.seconds.measures = timer.Seconds();
 }
@@ -126,15 +129,37 @@ KeptVertices KeptInDisk(const IntrinsicSurface& surface, const DomainOptions& sh
   return kept;
 }
 
-/// Refines the map inside the circle. Not where the inner vertices' centre of mass is at 0.
+/// Refines the map of the surface, a triangulation of the disk's vertices, inside the circle. Not
+/// where the inner vertices' centre of mass is at 0.
 Status RefineInDisk(const IntrinsicSurface& surface, const MapRequest& request,
-                    const SolveControl& control, DiskPlacement* disk, Certificate* certificate) {
+                    const SolveControl& control, DiskPlacement* disk,
+                    std::optional<MapRefinementSummary>* summary) {
   if (request.shape.normalization == "area") return Status();
-  CornerUv uv = disk->Uv();
-  const Status status =
-      RefineHeldMap(surface, KeptInDisk(surface, request.shape, *disk), request.options.refine_map,
-                    control.cancelled, &uv, &certificate->map_refinement);
-  if (status.ok()) disk->TakePositions(uv);
+  CornerUv uv = disk->UvOf(surface.triangulation);
+  const Status status = RefineHeldMap(surface, KeptInDisk(surface, request.shape, *disk),
+                                      request.options.refine_map, control.cancelled, &uv, summary);
+  if (status.ok()) disk->TakePositions(surface.triangulation, uv);
+  return status;
+}
+
+/// The exact map of what was solved first, placed and refined by itself.
+Status MakeExactInDisk(const IntrinsicSurface& surface, const SolvedChart& first,
+                       const MapRequest& request, const SolveControl& control, const CutFrom& from,
+                       DiskPlacement* disk, SurfaceMap* map) {
+  const Timer timer;
+  control.BeginStage("exact map");
+  const IntrinsicTriangulation whole = FlippedWhole(surface.triangulation, surface.lengths, first);
+  const IntrinsicSurface solved = MeasureSurface(whole.triangulation, whole.lengths);
+  disk->Place(first.chart);
+  if (disk->position().empty()) return Unrepresentable("points of the unit disk");
+  if (FlippedFaces(whole.triangulation, disk->UvOf(whole.triangulation)).empty()) {
+    std::optional<MapRefinementSummary> unused;
+    if (Status s = RefineInDisk(solved, request, control, disk, &unused); !s.ok()) return s;
+  }
+  const Status status = DrawExactDisk(surface.triangulation, whole, disk->UvOf(whole.triangulation),
+                                      from, request.options.exact_limit, map);
+  if (status.ok()) map->certificate.exact_map->exact_layout_closure = first.layout_closure;
+  AddSeconds(timer, &map->certificate.seconds.exact);
   return status;
 }
 
@@ -181,14 +206,41 @@ CornerUv TriangleInHalfPlane(const Surface& surface, const IntrinsicSurface& tri
   return uv;
 }
 
+/// The map of a surface of but one triangle.
+Status DeliverTriangle(const Surface& surface, const IntrinsicSurface& triangle,
+                       const MapRequest& request, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  const CornerUv uv = TriangleInHalfPlane(surface, triangle, request.shape.pole, map);
+  if (request.options.exact) {
+    Status made =
+        DrawExactDisk(t, {t, triangle.lengths, {}, {}}, uv, {}, request.options.exact_limit, map);
+    if (!made.ok()) return made;
+  }
+  Deliver(t, triangle.lengths, uv, map);
+  return Status();
+}
+
+Status CheckNoOverhang(const Surface& surface, const IntrinsicSurface& intrinsic) {
+  const std::vector<bool> core = LargestChordlessPiece(surface.triangulation, intrinsic.boundary);
+  const Index overhang = CountFalse(core);
+  if (overhang == 0) return Status();
+  const auto first = std::find(core.begin(), core.end(), false) - core.begin();
+  return Status::InvalidInput(fmt::format(
+      "{} beyond edges that join two boundary vertices, one of them in face {} "
+      "(0-based): a straight boundary leaves them no area; split those edges, or map to the disk",
+      Count(overhang, "triangle") + (overhang == 1 ? " lies" : " lie"),
+      surface.soup_polygon[first]));
+}
+
 /// Refines the chart without the pole's faces: its inner vertices move, those of the straight
 /// boundary slide along the real axis, but for the ends of the chain, and the pole's link stays.
-Status RefineInHalfPlane(const MapRequest& request, const SolveControl& control,
-                         HalfPlaneChart* chart, Certificate* certificate) {
+/// `t` with `lengths` is a triangulation of the chart's rest.
+Status RefineInHalfPlane(const Triangulation& t, const EdgeLengths& lengths,
+                         const MapRequest& request, const SolveControl& control,
+                         HalfPlaneChart* chart, std::optional<MapRefinementSummary>* summary) {
   const PuncturedDisk& disk = chart->disk;
-  const Triangulation& t = disk.rest.triangulation;
   if (disk.rest.face.empty()) return Status();
-  const IntrinsicSurface rest = MeasureSurface(t, disk.lengths);
+  const IntrinsicSurface rest = MeasureSurface(t, lengths);
   KeptVertices kept{rest.boundary};
   kept.sliding.slides.assign(t.num_vertices, false);
   kept.sliding.direction.assign(t.num_vertices, 1.0);
@@ -202,34 +254,71 @@ Status RefineInHalfPlane(const MapRequest& request, const SolveControl& control,
     uv.value.emplace_back(z.real(), z.imag());
   }
   const Status status = RefineHeldMap(rest, std::move(kept), request.options.refine_map,
-                                      control.cancelled, &uv, &certificate->map_refinement);
+                                      control.cancelled, &uv, summary);
   for (Index h = 0; status.ok() && h < t.num_halfedges(); ++h) {
     chart->position[disk.rest.vertex[t.vertex[h]]] = {uv.value[h].x(), uv.value[h].y()};
   }
   return status;
 }
 
-/// MapToDisk; faces beyond chords are placed without being solved for.
-Status SolveDisk(const Surface& surface, const MapRequest& request, const SolveControl& control,
-                 SurfaceMap* map) {
+/// The same of the exact map of what was solved first, drawn; the height of the pole.
+Status MakeExactInHalfPlane(const IntrinsicSurface& surface, const MapRequest& request,
+                            const SolveControl& control, SolvedChart* first, double* height,
+                            SurfaceMap* map) {
+  const Timer timer;
+  control.BeginStage("exact map");
+  const IntrinsicTriangulation whole = FlippedWhole(surface.triangulation, surface.lengths, *first);
+  CornerUv uv;
+  std::vector<Index> flipped;
+  *height = RaisePole(whole.triangulation, first->chart, &uv, &flipped);
+  if (flipped.empty()) {
+    std::optional<MapRefinementSummary> unused;
+    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths, request,
+                                     control, &first->chart, &unused);
+        !s.ok()) {
+      return s;
+    }
+    FlippedFrom(whole.triangulation, first->chart, *height, &uv);
+  }
+  const Status status =
+      DrawExactDisk(surface.triangulation, whole, uv, {}, request.options.exact_limit, map);
+  if (status.ok()) map->certificate.exact_map->exact_layout_closure = first->layout_closure;
+  AddSeconds(timer, &map->certificate.seconds.exact);
+  return status;
+}
+
+/// MapToDisk; faces beyond chords are placed without being solved for. Beside an exact map nothing is
+/// spread out: the vertices are where that has them, should their own map flip triangles.
+Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFrom& from,
+                 const SolveControl& control, SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
   DiskPlacement disk(surface, intrinsic, request.shape, control);
   HalfPlaneChart chart;
+  std::optional<SolvedChart> first;
   bool clean = false;
   const Status status = SolveHalfPlaneChart(
       {surface, intrinsic, request.shape.pole, request.options, control},
       [&](const HalfPlaneChart& tried) { return disk.Place(tried); }, &map->certificate, &chart,
-      &clean);
+      &clean, &first);
   if (!status.ok()) return status;
-  const double spread = clean ? 0 : SpreadBest(intrinsic, chart, &disk);
-  if (!clean && !disk.Spread(chart, spread).empty()) {
-    return Unrepresentable("points of the unit disk");
+  double spread = 0;
+  if (request.options.exact) {
+    DiskPlacement exact(surface, intrinsic, request.shape, control);
+    Status made = MakeExactInDisk(intrinsic, *first, request, control, from, &exact, map);
+    if (!made.ok()) return made;
+    if (!clean) disk.TakePlaces(exact);
+  } else if (!clean) {
+    spread = SpreadBest(intrinsic, chart, &disk);
+    if (!disk.Spread(chart, spread).empty()) return Unrepresentable("points of the unit disk");
   }
-  control.BeginStage("refinement");
-  Status refined = RefineInDisk(intrinsic, request, control, &disk, &map->certificate);
-  if (!refined.ok()) return refined;
+  if (clean || !request.options.exact) {
+    control.BeginStage("refinement");
+    Status refined =
+        RefineInDisk(intrinsic, request, control, &disk, &map->certificate.map_refinement);
+    if (!refined.ok()) return refined;
+  }
   DiskSummary summary = Summarize(surface, chart, disk, spread);
   Deliver(t, lengths, disk.Uv(), map);
   MeasureCore(surface, lengths, map->uv, chart.disk.core, &summary);
@@ -267,14 +356,22 @@ Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& cho
                             SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
   const Surface split = SplitEdges(surface, chords);
-  Status status = SolveDisk(split, request, control, map);
+  const CutFrom from = {FacesBeforeSplit(t, chords), t.num_faces()};
+  Status status = SolveDisk(split, request, from, control, map);
   if (!status.ok()) return status;
   if (map->certificate.disk->boundary_spread > 0) return Unrepresentable("points of the unit disk");
+  if (map->exact_map) {
+    StatusOr<ExactMap> exact =
+        BeforeSplit(t, chords, split.triangulation, *std::move(map->exact_map));
+    if (!exact.ok()) return exact.status();
+    map->exact_map = *std::move(exact);
+  }
   CornerUv uv = PlacesOfOld(t, split.triangulation, map->uv);
-  if (!FlippedFaces(t, uv).empty()) return Unrepresentable("points of the unit disk");
+  const bool clean = FlippedFaces(t, uv).empty();
+  if (!clean && !map->exact_map) return Unrepresentable("points of the unit disk");
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
-  if (request.shape.normalization != "area") {
+  if (clean && request.shape.normalization != "area") {
     status = RefineHeldMap(intrinsic, KeptAtMarks(intrinsic, request.shape, uv),
                            request.options.refine_map, control.cancelled, &uv,
                            &map->certificate.map_refinement);
@@ -301,7 +398,7 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
     if (status.ok()) *map = std::move(of_split);
     if (status.ok() || status.code() == StatusCode::kCancelled) return status;
   }
-  return SolveDisk(surface, request, control, map);
+  return SolveDisk(surface, request, {}, control, map);
 }
 
 Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
@@ -310,21 +407,10 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   if (Status s = CheckIsDisk(t); !s.ok()) return s;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
-  const std::vector<bool> core = LargestChordlessPiece(t, intrinsic.boundary);
-  const Index overhang = CountFalse(core);
-  if (t.num_faces() == 1) {
-    Deliver(t, lengths, TriangleInHalfPlane(surface, intrinsic, request.shape.pole, map), map);
-    return Status();
-  }
-  if (overhang > 0) {
-    const auto first = std::find(core.begin(), core.end(), false) - core.begin();
-    return Status::InvalidInput(fmt::format(
-        "{} beyond edges that join two boundary vertices, one of them in face {} "
-        "(0-based): a straight boundary leaves them no area; split those edges, or map to the disk",
-        Count(overhang, "triangle") + (overhang == 1 ? " lies" : " lie"),
-        surface.soup_polygon[first]));
-  }
+  if (t.num_faces() == 1) return DeliverTriangle(surface, intrinsic, request, map);
+  if (Status s = CheckNoOverhang(surface, intrinsic); !s.ok()) return s;
   HalfPlaneChart chart;
+  std::optional<SolvedChart> first;
   CornerUv uv;
   bool clean = false;
   double height = 1;
@@ -335,12 +421,21 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   };
   const Status status =
       SolveHalfPlaneChart({surface, intrinsic, request.shape.pole, request.options, control}, flips,
-                          &map->certificate, &chart, &clean);
+                          &map->certificate, &chart, &clean, &first);
   if (!status.ok()) return status;
-  if (!clean) return Unrepresentable("points of the half-plane");
-  control.BeginStage("refinement");
-  Status refined = RefineInHalfPlane(request, control, &chart, &map->certificate);
-  if (!refined.ok()) return refined;
+  if (!clean && !request.options.exact) return Unrepresentable("points of the half-plane");
+  if (request.options.exact) {
+    double exact_height = 1;
+    Status made = MakeExactInHalfPlane(intrinsic, request, control, &*first, &exact_height, map);
+    if (!made.ok()) return made;
+    if (!clean) chart = first->chart, height = exact_height;
+  }
+  if (clean) {
+    control.BeginStage("refinement");
+    Status refined = RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths, request,
+                                       control, &chart, &map->certificate.map_refinement);
+    if (!refined.ok()) return refined;
+  }
   FlippedFrom(t, chart, height, &uv);
   map->certificate.half_plane =
       HalfPlaneSummary{FileNumber(surface, chart.disk.pole), height, chart.straightness};

@@ -247,15 +247,22 @@ std::vector<Index> DiskPlacement::AllFaces() const {
   return all;
 }
 
-void DiskPlacement::TakePositions(const CornerUv& uv) {
-  for (Index h = 0; h < t_.num_halfedges(); ++h) {
-    position_[t_.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
+void DiskPlacement::TakePositions(const Triangulation& t, const CornerUv& uv) {
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    position_[t.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
   }
 }
 
-CornerUv DiskPlacement::Uv() const {
+void DiskPlacement::TakePlaces(const DiskPlacement& other) {
+  chart_ = other.chart_;
+  position_ = other.position_;
+  centre_ = other.centre_;
+  angle_zero_ = other.angle_zero_;
+}
+
+CornerUv DiskPlacement::UvOf(const Triangulation& t) const {
   CornerUv uv;
-  for (const Index v : t_.vertex) uv.value.emplace_back(position_[v].real(), position_[v].imag());
+  for (const Index v : t.vertex) uv.value.emplace_back(position_[v].real(), position_[v].imag());
   return uv;
 }
 

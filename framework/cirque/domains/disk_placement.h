@@ -28,13 +28,17 @@ class DiskPlacement {
   /// for.
   std::vector<Index> Spread(const HalfPlaneChart& chart, double share);
 
-  /// Where a refinement of the map has moved the vertices.
-  void TakePositions(const CornerUv& uv);
+  /// Where a refinement of the map has moved the vertices, as corners of a triangulation of them.
+  void TakePositions(const Triangulation& triangulation, const CornerUv& uv);
+
+  /// Those of another placement of the same disk, with what is at 0 and at angle zero.
+  void TakePlaces(const DiskPlacement& other);
 
   const std::vector<Complex>& position() const { return position_; }
   Index centre() const { return centre_; }  ///< kNone: a centre of mass is at 0
   Index angle_zero() const { return angle_zero_; }
-  CornerUv Uv() const;
+  CornerUv Uv() const { return UvOf(t_); }
+  CornerUv UvOf(const Triangulation& triangulation) const;  ///< of the same vertices
   double BoundaryCentreOfMass() const;
   double AreaCentreOfMass() const;
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/intrinsic/flip_complex.h"
 #include "cirque/layout/half_plane.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/mesh/holes.h"
@@ -41,13 +42,14 @@ std::vector<double> DelaunayExcess(const Triangulation& t, const CornerAngles& a
 class ChartSolve {
  public:
   ChartSolve(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
-             HalfPlaneChart* chart)
+             HalfPlaneChart* chart, std::optional<SolvedChart>* first)
       : job_(job),
         t_(job.surface.triangulation),
         options_(job.options),
         flips_(flips),
         certificate_(*certificate),
-        chart_(*chart) {}
+        chart_(*chart),
+        first_(*first) {}
 
   Status Run(bool* clean) {
     const Index pole = job_.pole;
@@ -79,8 +81,12 @@ class ChartSolve {
  private:
   Status SolveWithPole(const std::vector<bool>& core, Index pole, bool keep_star, bool* clean) {
     chart_ = {};
+    first_.reset();
     chart_.disk = TakeOffStar(t_, job_.intrinsic.lengths, core, pole, options_.epsilon);
-    if (chart_.disk.rest.face.empty()) return Status();
+    if (chart_.disk.rest.face.empty()) {
+      if (options_.exact) first_ = {chart_, {}};
+      return Status();
+    }
     if (keep_star) {
       KeepStar(t_, job_.intrinsic.angles, options_.epsilon, &chart_.disk);
     }
@@ -143,17 +149,30 @@ class ChartSolve {
         Flatten({rest, disk.targets, options, job_.control, &locked}, &certificate_, &flat);
     proof_ = std::move(flat.infeasibility);
     if (!status.ok()) return status;
-    const PlanarLayout layout = LayOutByDirections(t, flat.on_input.angles, flat.on_input.lengths);
-    Fill(&certificate_.layout).layout_closure = layout.closure;
-    const HalfPlane moved = MoveToHalfPlane(t, layout.uv, disk.chain);
-    chart_.chain_length = ChainLengths(t, flat.on_input.lengths, disk.chain);
-    chart_.straightness = moved.straightness;
-    chart_.increasing = moved.increasing;
-    chart_.position.assign(t_.num_vertices, 0);
-    for (Index v = 0; v < t.num_vertices; ++v) {
-      chart_.position[disk.rest.vertex[v]] = moved.position[v];
-    }
+    Fill(&certificate_.layout).layout_closure =
+        LayOut(t, flat.on_input.angles, flat.on_input.lengths, &chart_);
+    if (!flat.exact || first_) return status;
+    SolvedMetric& solved = *flat.exact;
+    first_ = {chart_, std::move(solved.intrinsic)};
+    first_->layout_closure =
+        LayOut(first_->rest.triangulation, solved.angles, solved.lengths, &first_->chart);
     return status;
+  }
+
+  /// Puts a flat metric of the rest into the half-plane; returns the closure.
+  double LayOut(const Triangulation& t, const CornerAngles& angles, const EdgeLengths& lengths,
+                HalfPlaneChart* chart) const {
+    const PuncturedDisk& disk = chart->disk;
+    const PlanarLayout layout = LayOutByDirections(t, angles, lengths);
+    const HalfPlane moved = MoveToHalfPlane(t, layout.uv, disk.chain);
+    chart->chain_length = ChainLengths(t, lengths, disk.chain);
+    chart->straightness = moved.straightness;
+    chart->increasing = moved.increasing;
+    chart->position.assign(t_.num_vertices, 0);
+    for (Index v = 0; v < t.num_vertices; ++v) {
+      chart->position[disk.rest.vertex[v]] = moved.position[v];
+    }
+    return layout.closure;
   }
 
   const ChartJob& job_;
@@ -162,6 +181,7 @@ class ChartSolve {
   const FlipsOfChart& flips_;
   Certificate& certificate_;
   HalfPlaneChart& chart_;
+  std::optional<SolvedChart>& first_;
   InfeasibilityCertificate proof_;  ///< of the last solve
 };
 
@@ -214,10 +234,28 @@ Status CheckIsDisk(const Triangulation& t) {
                   genus));
 }
 
+IntrinsicTriangulation FlippedWhole(const Triangulation& disk, const EdgeLengths& lengths,
+                                    const SolvedChart& solved) {
+  const SubTriangulation& rest = solved.chart.disk.rest;
+  FlipComplex complex(disk, lengths);
+  std::vector<Index> flips;
+  for (const Index h : solved.rest.flips) {
+    flips.push_back(rest.Halfedge(h));
+    complex.Flip(flips.back(), 0, kNone);
+  }
+  Triangulation t = complex.MakeTriangulation(disk.num_vertices);
+  EdgeLengths own = complex.MakeLengths(t);
+  for (Index h = 0; h < solved.rest.triangulation.num_halfedges(); ++h) {
+    own.value[t.edge[rest.Halfedge(h)]] =
+        solved.rest.lengths.value[solved.rest.triangulation.edge[h]];
+  }
+  return {std::move(t), std::move(own), std::move(flips), {}};
+}
+
 Status SolveHalfPlaneChart(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
-                           HalfPlaneChart* chart, bool* clean) {
+                           HalfPlaneChart* chart, bool* clean, std::optional<SolvedChart>* first) {
   *clean = false;
-  return ChartSolve(job, flips, certificate, chart).Run(clean);
+  return ChartSolve(job, flips, certificate, chart, first).Run(clean);
 }
 
 }  // namespace cirque

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/domains/punctured_disk.h"
+#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/moebius.h"
 #include "cirque/mesh/surface.h"
@@ -25,6 +27,18 @@ struct HalfPlaneChart {
   double straightness = 0;           ///< HalfPlane
   bool increasing = true;
 };
+
+/// A chart and what it was solved on.
+struct SolvedChart {
+  HalfPlaneChart chart;
+  IntrinsicTriangulation
+      rest;  ///< what chart.disk.rest was flipped to, with the disk's own lengths
+  double layout_closure = 0;
+};
+
+/// What the whole disk, with these lengths, is flipped to where the rest of a chart is.
+IntrinsicTriangulation FlippedWhole(const Triangulation& disk, const EdgeLengths& lengths,
+                                    const SolvedChart& solved);
 
 /// The boundary vertices of a disk that can be poles, those of the piece that has no chord
 /// (LargestChordlessPiece), the best first: where the boundary is straight already, as are the
@@ -51,8 +65,9 @@ struct ChartJob {
 /// the straightest surroundings are tried in turn where a solve ends infeasible; last, with angle
 /// sums along the pole's link that are only bounded: a proof of infeasibility is about those, the
 /// last pole being its removed vertex. Status ok even if the last chart still has flips: *clean
-/// says. @pre CheckIsDisk is ok.
+/// says. With ParameterizeOptions::exact, `first` is the chart that was solved first about the last
+/// pole, before any edge was locked, as it was solved. @pre CheckIsDisk is ok.
 Status SolveHalfPlaneChart(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
-                           HalfPlaneChart* chart, bool* clean);
+                           HalfPlaneChart* chart, bool* clean, std::optional<SolvedChart>* first);
 
 }  // namespace cirque

@@ -22,9 +22,8 @@ namespace cirque {
 namespace {
 
 constexpr char kWhyNoExact[] =
-    ": its shape is drawn for the mesh's vertices, after the solve; map to the plane, a rectangle "
-    "or "
-    "a polygon for an exact map";
+    ": an exact map has points of the plane, and each once but along seams; map to the plane, the "
+    "disk, the half-plane, a rectangle or a polygon for one";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
@@ -104,12 +103,13 @@ const Registry<Domain>& Domains() {
          MapToSphere}},
        {"disk",
         {"the unit disk, for topological disks like the five that follow",
-         {"centre", "angle_zero", "pole", "normalization", "refine_map", "strict"},
+         {"centre", "angle_zero", "pole", "normalization", "refine_map", "exact", "exact_limit",
+          "strict"},
          {"uv"},
          MapToDisk}},
        {"half_plane",
         {"the upper half-plane, one boundary vertex belonging at infinity",
-         {"pole", "refine_map", "strict"},
+         {"pole", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToHalfPlane}},
        {"rectangle",

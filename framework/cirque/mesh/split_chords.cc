@@ -128,4 +128,15 @@ Surface SplitEdges(const Surface& surface, const std::vector<bool>& edges) {
   return EdgeSplitter(surface, edges).Run();
 }
 
+std::vector<Index> FacesBeforeSplit(const Triangulation& t, const std::vector<bool>& edges) {
+  std::vector<Index> before;
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    before.push_back(f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      if (edges[t.edge[h]]) before.push_back(f);
+    }
+  }
+  return before;
+}
+
 }  // namespace cirque

@@ -16,4 +16,9 @@ std::vector<bool> ChordsOf(const Triangulation& triangulation, const std::vector
 /// kNone in the soup, as all corners are, and a triangle's polygon is that of the one it was cut from.
 Surface SplitEdges(const Surface& surface, const std::vector<bool>& edges);
 
+/// Per face of SplitEdges' surface the face of `triangulation` that it was cut from; not decreasing.
+/// (The new vertices are in the order of their edges.)
+std::vector<Index> FacesBeforeSplit(const Triangulation& triangulation,
+                                    const std::vector<bool>& edges);
+
 }  // namespace cirque

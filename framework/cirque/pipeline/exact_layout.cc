@@ -49,11 +49,15 @@ Status LayOutSolved(const Job& job, const SolvedMetric& solved, const IntrinsicS
   return CutAndPlace(of_solved, layout).In("the exact map");
 }
 
-void Summarize(const Overlay& overlay, const ExactMapRepair& repair, ExactMapSummary* summary) {
-  std::vector<int> faces_in(overlay.num_faces(), 0);
+void Summarize(const SolvedMap& of, const Overlay& overlay, const ExactMapRepair& repair,
+               ExactMapSummary* summary) {
+  const Index wholes = of.part_of ? of.num_wholes : of.input.num_faces();
+  std::vector<int> faces_in(wholes, 0);
   for (const Index f : overlay.input_face) {
-    summary->exact_faces_worst = std::max(summary->exact_faces_worst, ++faces_in[f]);
+    const Index whole = of.part_of ? (*of.part_of)[f] : f;
+    summary->exact_faces_worst = std::max(summary->exact_faces_worst, ++faces_in[whole]);
   }
+  summary->exact_faces_ratio = static_cast<double>(overlay.num_faces()) / wholes;
   summary->exact_crossings = static_cast<int>(overlay.crossing.size());
   summary->exact_edges_spread = repair.edges_spread;
   summary->exact_largest_shift = repair.largest_shift;
@@ -63,12 +67,6 @@ void SummarizeLayout(const Parameterization& layout, ExactMapSummary* summary) {
   const Certificate& certificate = layout.certificate;
   summary->exact_layout_closure = certificate.layout->layout_closure;
   summary->exact_seam_length_mismatch = certificate.seams->seam_length_mismatch;
-}
-
-void Summarize(const DistortionSummary& distortion, ExactMapSummary* summary) {
-  summary->exact_quasi_conformal_mean = distortion.quasi_conformal_mean;
-  summary->exact_quasi_conformal_max = distortion.quasi_conformal_max;
-  summary->exact_log_area_ratio_l2 = distortion.log_area_ratio_l2;
 }
 
 StatusOr<Overlay> OverlayOf(const Job& job, const SolvedMetric& solved,
@@ -105,23 +103,17 @@ Status MakeExact(const Job& job, Parameterization* result) {
   if (Status s = LayOutSolved(job, solved, surface, *result, &layout); !s.ok()) return s;
   StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
   if (!overlay.ok()) return overlay.status().In("exact_limit");
-  const Triangulation& input = job.surface.triangulation;
   ExactMapSummary& summary = Fill(&result->certificate.exact_map);
-  summary.exact_faces_ratio =
-      static_cast<double>(overlay->num_faces()) / static_cast<double>(input.num_faces());
-  ExactMapRepair repair;
-  StatusOr<ExactMap> map =
-      MakeExactMap(input, surface.triangulation, layout.cut, layout.uv, *overlay, &repair);
-  Summarize(*overlay, repair, &summary);
   SummarizeLayout(layout, &summary);
-  if (!map.ok()) return map.status();
-  map->log_weight = LogWeights(solved, *overlay);
-  summary.exact_triangles = map->num_triangles();
+  ExactMap map;
+  const SolvedMap laid_out = {job.surface.triangulation, surface, layout.cut, layout.uv};
+  if (Status s = DrawExactMap(laid_out, *overlay, &summary, &map); !s.ok()) return s;
+  map.log_weight = LogWeights(solved, *overlay);
   Summarize(IsCirclePattern(solved)
                 ? DistortionOf(surface.triangulation, surface.lengths, layout.uv)
-                : DistortionOf(job.surface, *map),
+                : DistortionOf(job.surface, map),
             &summary);
-  result->exact_map = *std::move(map);
+  result->exact_map = std::move(map);
   return Status();
 }
 
@@ -133,6 +125,24 @@ Status LayOutExactly(const Job& job, Parameterization* result) {
   Status status = MakeExact(job, result);
   AddSeconds(timer, &result->certificate.seconds.exact);
   return status;
+}
+
+Status DrawExactMap(const SolvedMap& of, const Overlay& overlay, ExactMapSummary* summary,
+                    ExactMap* map) {
+  ExactMapRepair repair;
+  StatusOr<ExactMap> drawn =
+      MakeExactMap(of.input, of.solved.triangulation, of.cut, of.uv, overlay, &repair);
+  Summarize(of, overlay, repair, summary);
+  if (!drawn.ok()) return drawn.status();
+  *map = *std::move(drawn);
+  summary->exact_triangles = map->num_triangles();
+  return Status();
+}
+
+void Summarize(const DistortionSummary& distortion, ExactMapSummary* summary) {
+  summary->exact_quasi_conformal_mean = distortion.quasi_conformal_mean;
+  summary->exact_quasi_conformal_max = distortion.quasi_conformal_max;
+  summary->exact_log_area_ratio_l2 = distortion.log_area_ratio_l2;
 }
 
 DistortionSummary DistortionOf(const IntrinsicSurface& surface, const ExactMap& map) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
+#include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/exact_map.h"
 #include "cirque/pipeline/cut_and_place.h"
@@ -9,12 +13,33 @@
 
 namespace cirque {
 
+struct Overlay;
+
 /// Lays out the triangulation that was solved on (FlatSurface::exact) by itself, as CutAndPlace
 /// does the job's surface, its seams along its own edges, and fills in result's exact_map, which is
 /// linear on those triangles: no triangle of it is flipped, and no vertex was moved. Given cuts
 /// stay where their edges do. Errors: as CutAndPlace and MakeExactMap; kInvalidInput for an
 /// overlay above ParameterizeOptions::exact_limit.
 Status LayOutExactly(const ParameterizeJob& job, Parameterization* result);
+
+/// A map of a triangulation that an input was flipped to.
+struct SolvedMap {
+  const Triangulation& input;
+  const IntrinsicSurface& solved;  ///< that triangulation, in the input's metric
+  const Cut& cut;                  ///< of it
+  const CornerUv& uv;              ///< of it, no face flipped
+  /// Per face of the input the one of the surface that it was cut from, of so many; null: itself.
+  const std::vector<Index>* part_of = nullptr;
+  Index num_wholes = 0;
+};
+
+/// Draws it on the overlay (MakeExactMap), and fills in what the certificate says of the two.
+/// Errors: as MakeExactMap.
+Status DrawExactMap(const SolvedMap& of, const Overlay& overlay, ExactMapSummary* summary,
+                    ExactMap* map);
+
+/// The figures of distortion for the certificate.
+void Summarize(const DistortionSummary& distortion, ExactMapSummary* summary);
 
 /// Of an exact map's own triangles, each measured by itself.
 DistortionSummary DistortionOf(const IntrinsicSurface& surface, const ExactMap& map);
