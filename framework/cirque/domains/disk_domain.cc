@@ -304,7 +304,7 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
       &clean, &first);
   if (!status.ok()) return status;
   double spread = 0;
-  if (request.options.exact) {
+  if (first) {
     DiskPlacement exact(surface, intrinsic, request.shape, control);
     Status made = MakeExactInDisk(intrinsic, *first, request, control, from, &exact, map);
     if (!made.ok()) return made;
@@ -313,11 +313,16 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
     spread = SpreadBest(intrinsic, chart, &disk);
     if (!disk.Spread(chart, spread).empty()) return Unrepresentable("points of the unit disk");
   }
-  if (clean || !request.options.exact) {
+  if (clean || !first) {
     control.BeginStage("refinement");
     Status refined =
         RefineInDisk(intrinsic, request, control, &disk, &map->certificate.map_refinement);
     if (!refined.ok()) return refined;
+  }
+  if (request.options.exact && !first) {
+    Status made =
+        DrawExactDisk(t, {t, lengths, {}, {}}, disk.Uv(), from, request.options.exact_limit, map);
+    if (!made.ok()) return made;
   }
   DiskSummary summary = Summarize(surface, chart, disk, spread);
   Deliver(t, lengths, disk.Uv(), map);
@@ -423,8 +428,8 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
       SolveHalfPlaneChart({surface, intrinsic, request.shape.pole, request.options, control}, flips,
                           &map->certificate, &chart, &clean, &first);
   if (!status.ok()) return status;
-  if (!clean && !request.options.exact) return Unrepresentable("points of the half-plane");
-  if (request.options.exact) {
+  if (!clean && !first) return Unrepresentable("points of the half-plane");
+  if (first) {
     double exact_height = 1;
     Status made = MakeExactInHalfPlane(intrinsic, request, control, &*first, &exact_height, map);
     if (!made.ok()) return made;

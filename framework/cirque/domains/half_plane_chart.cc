@@ -83,10 +83,7 @@ class ChartSolve {
     chart_ = {};
     first_.reset();
     chart_.disk = TakeOffStar(t_, job_.intrinsic.lengths, core, pole, options_.epsilon);
-    if (chart_.disk.rest.face.empty()) {
-      if (options_.exact) first_ = {chart_, {}};
-      return Status();
-    }
+    if (chart_.disk.rest.face.empty()) return Status();
     if (keep_star) {
       KeepStar(t_, job_.intrinsic.angles, options_.epsilon, &chart_.disk);
     }
