@@ -54,37 +54,6 @@ struct Tally {
   std::vector<int> numbers;             ///< of the surfaces without an accepted map
 };
 
-std::vector<Index> Draw(std::vector<Index> from, int count, Dice* dice) {
-  std::vector<Index> drawn;
-  for (; count > 0 && !from.empty(); --count) {
-    std::swap(from[dice->Below(static_cast<int>(from.size()))], from.back());
-    drawn.push_back(from.back());
-    from.pop_back();
-  }
-  return drawn;
-}
-
-/// Up to eight inner cones of any angle; the boundary is free or has any angles too.
-ConeTargets DrawCones(const Triangulation& t, Dice* dice) {
-  ConeTargets targets = FreeBoundaryTargets(t);
-  std::vector<Index> inner, boundary;
-  const std::vector<bool> on_boundary = BoundaryVertices(t);
-  for (Index v = 0; v < t.num_vertices; ++v) (on_boundary[v] ? boundary : inner).push_back(v);
-  const bool free = dice->Chance(0.5);
-  const int least = boundary.empty() ? std::max(1, EulerCharacteristic(t) + 1) : 0;
-  std::vector<Index> cones = Draw(inner, dice->Between(least, std::max(least, 8)), dice);
-  double total = kPi * t.num_faces() - 2 * kPi * static_cast<double>(inner.size() - cones.size());
-  cones.insert(cones.end(), boundary.begin(), boundary.end());
-  std::vector<double> share(cones.size());
-  double all = 0;
-  for (double& s : share) all += s = dice->Power(-1, 0.5);
-  for (std::size_t i = 0; i < cones.size(); ++i) {
-    if (free && on_boundary[cones[i]]) continue;
-    targets.lower[cones[i]] = targets.upper[cones[i]] = total * share[i] / all;
-  }
-  return targets;
-}
-
 /// Of an exact map, also as a refinement of the surface.
 bool IsAccepted(const PolygonSoup& soup, const Surface& surface, const SurfaceMap& map) {
   if (map.exact_map) {

@@ -41,6 +41,10 @@ struct SmallSurfaceKind {
 /// slivers, bands, polyhedra, tori, triangles split in three, small meshes of every generator.
 const std::vector<SmallSurfaceKind>& SmallSurfaceKinds();
 
+/// Up to eight inner cones of any angle that Gauss-Bonnet allows; the boundary is free or has any angles
+/// too.
+ConeTargets DrawCones(const Triangulation& triangulation, Dice* dice);
+
 /// Options drawn from the tables that know them, a domain, and at times angle sums near the limits
 /// of the boundary's vertices: a map that somebody might ask for.
 MapRequest DrawRequest(const Surface& surface, Dice* dice);

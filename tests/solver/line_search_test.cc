@@ -1,8 +1,11 @@
 #include "cirque/solver/line_search.h"
 
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
+
+#include "cirque/solver/newton_loop.h"
 
 #include "tests/solver/strategy_fixtures.h"
 
@@ -28,7 +31,8 @@ struct Outcome {
 };
 
 /// Searches from x along p.
-Outcome Search(const std::function<bool(double, double*)>& slope, double x, double p) {
+Outcome Search(const std::function<bool(double, double*)>& slope, double x, double p,
+               LineSearch search = SearchAlong) {
   const Slope energy(slope);
   const SolveControl control;
   SolveRun run("test", {}, control, energy);
@@ -36,7 +40,7 @@ Outcome Search(const std::function<bool(double, double*)>& slope, double x, doub
   Eigen::VectorXd gradient(1);
   EXPECT_TRUE(slope(x, gradient.data()));
   LineSearchResult step;
-  SearchAlong(start, gradient, Eigen::VectorXd::Constant(1, p), &run, &step);
+  search(start, gradient, Eigen::VectorXd::Constant(1, p), &run, &step);
   return {step, run.summary().gradient_evaluations};
 }
 
@@ -112,6 +116,45 @@ TEST(LineSearch, FindsNothingWhereNoPointIsDefined) {
     return x == 1;
   };
   EXPECT_FALSE(Search(point, 1, -1).step.found);
+}
+
+/// A crease at 100, much narrower than what lies before it.
+bool Crease(double x, double* slope) {
+  *slope = std::tanh(1e5 * (x - 100)) + 0.25;
+  return true;
+}
+
+TEST(LineSearch, ToRestEndsInACreaseHoweverTheStepFallsShortOrOvershoots) {
+  const double minimum = 100 - 1e-5 * std::atanh(0.25);
+  for (const double p : {1e-3, 1.0, 1e4, 1e9}) {
+    const Outcome found = Search(Crease, 0, p, SearchToRest);
+    ASSERT_TRUE(found.step.found);
+    EXPECT_LE(std::abs(found.step.gradient[0]), 0.075) << p;
+    EXPECT_NEAR(found.step.x[0], minimum, 1e-6) << p;
+    EXPECT_NEAR(found.step.step_length * p, found.step.x[0], 1e-9);
+    EXPECT_LE(found.evaluations, 70);
+  }
+}
+
+TEST(LineSearch, ToRestTakesNewtonsStepAtOnce) {
+  const Outcome found = Search(Parabola, 1, -1, SearchToRest);
+  EXPECT_EQ(found.step.x[0], 0);
+  EXPECT_EQ(found.evaluations, 1);
+}
+
+TEST(LineSearch, ToRestStaysInsideTheDomainAndSaysWhereThereIsNone) {
+  const auto wall = [](double x, double* slope) {
+    *slope = x - 1.5;
+    return x < 2;
+  };
+  const Outcome inside = Search(wall, 0, 100, SearchToRest);
+  ASSERT_TRUE(inside.step.found);
+  EXPECT_NEAR(inside.step.x[0], 1.5, 0.15);
+  const auto point = [](double x, double* slope) {
+    *slope = -1;
+    return x == 0;
+  };
+  EXPECT_FALSE(Search(point, 0, 1, SearchToRest).step.found);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ SolveSummary MinimizeByLaplacians(const Energy& energy, const SolverLimits& limi
                                   const SolveControl& control, Eigen::VectorXd* x) {
   SolveRun run("newton", limits, control, energy);
   LaplacianDirection direction(&run);
-  IterateNewton(direction, &run, x);
+  IterateNewton(direction, &run, x, SearchToRest);
   return run.Finish(*x);
 }
 

@@ -24,7 +24,9 @@ Eigen::VectorXd SolveLaplacian(Eigen::MatrixXd weight, Eigen::VectorXd held, Eig
 
 /// Newton's method with SolveLaplacian for an energy whose Hessian is such a matrix, as that of
 /// ConformalEquivalenceEnergy is where the metric is Delaunay: for needles, whose weights range over more
-/// than a double's digits. For few unknowns (kMostLaplacianUnknowns): the matrix is dense.
+/// than a double's digits, and where scales are as large as a hundred: E is all but linear then between
+/// narrow creases, and steps go down to one of them each (SearchToRest), where less exact ones leap to
+/// and fro across. For few unknowns (kMostLaplacianUnknowns): the matrix is dense.
 SolveSummary MinimizeByLaplacians(const Energy& energy, const SolverLimits& limits,
                                   const SolveControl& control, Eigen::VectorXd* x);
 

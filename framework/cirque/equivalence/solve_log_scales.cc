@@ -1,6 +1,7 @@
 #include "cirque/equivalence/solve_log_scales.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,6 +26,12 @@ constexpr double kNearResidual = 1e-6;  ///< [rad]: the solution, but for roundi
 constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
 constexpr int kLeastSolvesOnPath = 20, kMostSolvesOnPath = 300, kMostStepsOnPath = 20,
               kMostStepsToPath = 200;
+constexpr int kIterationsInPart = 3, kPartsForOne = 10, kLeastParts = 100, kMostParts = 1000,
+              kIdleParts = 50;
+constexpr double kLessResidual = 0.9;  ///< of a part that is not idle
+constexpr double kNearAngles = 1;      ///< [rad]: the solution's triangles, but for needles
+/// Of the logarithms of lengths, relatively: a few units of double-double, after hundreds of flips.
+constexpr double kExtendedRounding = 0x1p-100;
 constexpr int kUnknownsOnPath = 200000;            ///< in all solves together
 constexpr int kLeastSolves = 2, kMostSolves = 12;  ///< each on a triangulation flipped anew
 constexpr double kProgress = 0.5;                  ///< of the residual from solve to solve
@@ -102,20 +109,20 @@ class LogScaleSolve {
     base_.assign(static_cast<std::size_t>(t_.num_vertices), 0);
     Status status = SolveFromBase(
         [&](const auto& energy, auto* u) { return strategy.Minimize(energy, control, u); });
-    const bool exists = flips_ == Flips::kPtolemy;
+    const bool exists = flips_ == Flips::kPtolemy && IsClosed();
     if (status.code() != StatusCode::kNotConverged || result_.residual <= kNearResidual ||
         !exists || StoppedByTheCaller()) {
       return status;
     }
-    const LogScalesResult direct = result_;
+    LogScalesResult best = result_;
     for (const Path path : {Path::kNone, Path::kTargets, Path::kLengths}) {
       if (!Follow(path, control)) continue;
-      status = SolveFromBase([&](const auto& energy, auto* u) {
-        return MinimizeRobustly(energy, SolverLimits(), control, u);
-      });
+      status = SolveInSmallParts(control);
       if (status.code() != StatusCode::kNotConverged) return status;
+      if (IsBeyondDigits()) return BeyondDigits();
+      if (result_.residual < best.residual) best = result_;
     }
-    if (!(result_.residual < direct.residual)) result_ = direct;
+    result_ = std::move(best);
     return status;
   }
 
@@ -131,6 +138,10 @@ class LogScaleSolve {
            result_.solve.num_iterations() < SolverLimits().max_iterations;
   }
 
+  bool IsClosed() const {
+    return std::find(t_.twin.begin(), t_.twin.end(), kNone) == t_.twin.end();
+  }
+
   ConformalEquivalenceEnergy Energy() const {
     return {start_.triangulation, log_lengths_, targets_, flips_, base_};
   }
@@ -139,9 +150,7 @@ class LogScaleSolve {
   SolveSummary MinimizeRobustly(const ConformalEquivalenceEnergy& energy,
                                 const SolverLimits& limits, const SolveControl& control,
                                 Eigen::VectorXd* u) const {
-    const std::vector<Index>& twin = t_.twin;
-    const bool closed = std::find(twin.begin(), twin.end(), kNone) == twin.end();
-    if (closed && u->size() <= kMostLaplacianUnknowns) {
+    if (IsClosed() && u->size() <= kMostLaplacianUnknowns) {
       return MinimizeByLaplacians(energy, limits, control, u);
     }
     return NewtonStrategy({limits, ""}).Minimize(energy, control, u);
@@ -166,10 +175,54 @@ class LogScaleSolve {
       if (i >= kLeastSolves && !(result_.residual < kProgress * last)) break;
       last = result_.residual;
     }
-    if (result_.residual <= rounding_) return CheckTriangles();
+    return Verdict();
+  }
+
+  /// Rounding excuses what is near the solution only: of the narrowest needles its bound is above all
+  /// angles.
+  Status Verdict() const {
+    if (result_.residual <= std::min(rounding_, kNearResidual)) return CheckTriangles();
     return Status(StatusCode::kNotConverged,
                   fmt::format("log scales: angle sums miss their targets by {:.2e} rad: {}",
                               result_.residual, result_.solve.BriefReport()));
+  }
+
+  /// Whether what is missed is what rounding of lengths does to the angles of needles.
+  bool IsBeyondDigits() const { return result_.residual <= std::min(beyond_digits_, kNearAngles); }
+
+  Status BeyondDigits() const {
+    const Eigen::VectorXd& u = result_.log_scale;
+    return Status(StatusCode::kUnrepresentable,
+                  fmt::format("log scales: they range over {:.1f}, and some triangle's sides over "
+                              "{:.1f} in their logarithms; its angles lie in digits that lengths "
+                              "do not have, even with twice those of a double, which leaves angle "
+                              "sums {:.2e} rad from their targets; add cones",
+                              u.maxCoeff() - u.minCoeff(), longest_needle_, result_.residual));
+  }
+
+  /// The same in a few iterations at a time, whatever the residual after each: creases can be narrower
+  /// than the spacing of doubles where u is large, and are met only by steps from beside them.
+  Status SolveInSmallParts(const SolveControl& control) {
+    const auto n = static_cast<int>(targets_.angle_sum.size());
+    const int most = std::clamp(kPartsForOne * n, kLeastParts, kMostParts);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0, since_least = 0; i < most && since_least < kIdleParts; ++i) {
+      const ConformalEquivalenceEnergy energy = Energy();
+      Eigen::VectorXd u = Eigen::VectorXd::Zero(n);
+      SolverLimits limits;
+      limits.max_iterations = kIterationsInPart;
+      result_.solve = MinimizeRobustly(energy, limits, control, &u);
+      if (result_.solve.termination == Termination::kCancelled) {
+        return Status(StatusCode::kCancelled, "log scales: cancelled");
+      }
+      Advance(energy.ScaleOfVertices(u.data()), &base_);
+      if (!TakeAnew()) break;
+      if (result_.residual <= kAcceptedResidual) return CheckTriangles();
+      if (result_.solve.num_iterations() == 0) break;
+      since_least = result_.residual < kLessResidual * least ? 0 : since_least + 1;
+      least = std::min(least, result_.residual);
+    }
+    return Verdict();
   }
 
   static void Advance(const Eigen::VectorXd& by, Scales* scales) {
@@ -250,35 +303,57 @@ class LogScaleSolve {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(t_.num_vertices);
     if (flips_ == Flips::kPtolemy && !complex.MakeDelaunay(none)) return false;
     result_.angles.value.resize(t_.num_halfedges());
-    std::vector<double> rounding(t_.num_halfedges());
-    const double units =
-        kRounding * (1 + log_lengths_.lpNorm<Eigen::Infinity>() + scale.lpNorm<Eigen::Infinity>());
+    std::vector<double> rounding(t_.num_halfedges()), beyond(t_.num_halfedges());
+    const double size =
+        1 + log_lengths_.lpNorm<Eigen::Infinity>() + scale.lpNorm<Eigen::Infinity>();
     ParallelFor(complex.num_faces(), [&](Index f) {
       const LogTriangle triangle = complex.ScaledTriangle(f, none);
       double cotangents = 0;
       for (int k = 0; k < 3; ++k) cotangents += std::abs(triangle.Cotangent(k));
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         result_.angles.value[h] = triangle.angle[h - 3 * f];
-        rounding[h] = cotangents * units;
+        rounding[h] = cotangents * kRounding * size;
+        beyond[h] = std::min(kPi, std::exp(RangeOfSides(complex, f)) * kExtendedRounding * size);
       }
     });
     MeasureResidual(complex, rounding);
+    beyond_digits_ = LargestSum(complex, beyond);
+    longest_needle_ = 0;
+    for (Index f = 0; f < complex.num_faces(); ++f) {
+      longest_needle_ = std::max(longest_needle_, RangeOfSides(complex, f));
+    }
     TakeTriangulation(complex);
     return true;
+  }
+
+  /// Of the logarithms of a face's scaled sides.
+  double RangeOfSides(const PtolemyComplex& complex, Index f) const {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(t_.num_vertices);
+    std::array<double, 3> x;
+    for (int k = 0; k < 3; ++k) x[k] = complex.ScaledLogLength(3 * f + k, none);
+    return *std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end());
+  }
+
+  /// Of values at corners, over the vertices whose angle sums are prescribed.
+  double LargestSum(const PtolemyComplex& complex, const std::vector<double>& at_corner) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(targets_.angle_sum.size());
+    for (Index h = 0; h < t_.num_halfedges(); ++h) {
+      const int p = targets_.parameter[complex.vertex(h)];
+      if (p != kNone) sum[p] += at_corner[h];
+    }
+    return sum.size() > 0 ? sum.lpNorm<Eigen::Infinity>() : 0;
   }
 
   /// And what rounding of the lengths' logarithms may do to it: d alpha_i = sum of cotangents times
   /// changes of these.
   void MeasureResidual(const PtolemyComplex& complex, const std::vector<double>& rounding) {
-    Eigen::VectorXd missed = targets_.angle_sum, rounded = Eigen::VectorXd::Zero(missed.size());
+    Eigen::VectorXd missed = targets_.angle_sum;
     for (Index h = 0; h < t_.num_halfedges(); ++h) {
       const int p = targets_.parameter[complex.vertex(h)];
-      if (p == kNone) continue;
-      missed[p] -= result_.angles.value[h];
-      rounded[p] += rounding[h];
+      if (p != kNone) missed[p] -= result_.angles.value[h];
     }
     result_.residual = missed.size() > 0 ? missed.lpNorm<Eigen::Infinity>() : 0;
-    rounding_ = missed.size() > 0 ? rounded.lpNorm<Eigen::Infinity>() : 0;
+    rounding_ = LargestSum(complex, rounding);
   }
 
   void TakeTriangulation(const PtolemyComplex& complex) {
@@ -308,8 +383,10 @@ class LogScaleSolve {
   const IntrinsicTriangulation start_;
   const ScaleTargets targets_;
   Eigen::VectorXd log_lengths_;
-  Scales base_;          ///< of the vertices, from which the solves count u
-  double rounding_ = 0;  ///< [rad], of the angle sums
+  Scales base_;                ///< of the vertices, from which the solves count u
+  double rounding_ = 0;        ///< [rad], of the angle sums, by a double's digits
+  double beyond_digits_ = 0;   ///< [rad], likewise by those that lengths have
+  double longest_needle_ = 0;  ///< largest range of a face's sides' logarithms
   LogScalesResult& result_;
 };
 

@@ -44,10 +44,14 @@ enum class KeptEdges {
 /// angle sums above 0 with Gauss-Bonnet where no scale is held, and with held ones on the boundary
 /// unless what the others leave to it is negative.
 ///
+/// Where scales are as large as tens, E is all but linear between narrow creases: what the strategy does
+/// not reach on a closed surface MinimizeByLaplacians is given, some iterations at a time, from 0 and
+/// along paths from easier problems.
+///
 /// The residual is that of a triangulation flipped anew at the solution. Errors: kNotConverged with
-/// a residual above 1e-10 rad, or above what rounding leaves of such lengths if that is more, or
-/// with an angle of 0 (beside edges that are kept);
-/// kCancelled.
+/// a residual above 1e-10 rad, or above what rounding leaves of such lengths if that is more (1e-6 at
+/// most), or with an angle of 0 (beside edges that are kept); kUnrepresentable where it is what
+/// rounding of lengths with twice a double's digits leaves; kCancelled.
 Status SolveLogScales(const Triangulation& triangulation, const EdgeLengths& lengths,
                       const ConeTargets& targets, KeptEdges kept, const SolverStrategy& strategy,
                       const SolveControl& control, LogScalesResult* result);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace cirque {
@@ -88,6 +90,54 @@ class Search {
 void SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                  const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result) {
   Search(x, gradient, direction, run).Run(result);
+}
+
+namespace {
+
+constexpr int kMaxTrialsToRest = 120;
+constexpr double kAtRest = 0.1;  ///< of the slope at the start
+constexpr double kFurther = 4, kFurthest = 1e12, kNearer = 0.1, kWide = 10;
+constexpr double kOneStep = 1e-15;  ///< of step lengths that doubles do not tell apart
+
+/// Step lengths with the minimum between them.
+struct Bracket {
+  double low = 0;
+  std::optional<double> high = std::nullopt;
+
+  bool IsClosed() const { return high && *high - low <= kOneStep * *high; }
+
+  double Next() const {
+    if (!high) return kFurther * low;
+    if (low == 0) return kNearer * *high;
+    return *high > kWide * low ? std::sqrt(low * *high) : 0.5 * (low + *high);
+  }
+};
+
+}  // namespace
+
+void SearchToRest(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                  const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result) {
+  const double enough = -kAtRest * gradient.dot(direction);
+  double least = std::numeric_limits<double>::infinity(), t = 1;
+  Bracket bracket;
+  LineSearchResult trial;
+  result->found = false;
+  for (int i = 0; i < kMaxTrialsToRest && t <= kFurthest; ++i, t = bracket.Next()) {
+    trial.step_length = t;
+    trial.x = x + t * direction;
+    trial.found = run->Gradient(trial.x, &trial.gradient);
+    const double slope = trial.found ? trial.gradient.dot(direction) : 0;
+    if (trial.found && slope <= 0) {
+      bracket.low = t;
+    } else {
+      bracket.high = t;
+    }
+    if (trial.found && std::abs(slope) < least) {
+      least = std::abs(slope);
+      std::swap(*result, trial);
+    }
+    if (least <= enough || bracket.IsClosed()) return;
+  }
 }
 
 namespace {

@@ -6,7 +6,7 @@
 
 namespace cirque {
 
-/// Where a line search ended.
+/// Where a line search ended; not found: nowhere better.
 struct LineSearchResult {
   bool found = false;
   double step_length = 0;
@@ -24,6 +24,14 @@ struct LineSearchResult {
 /// @pre g(0).p < 0.
 void SearchAlong(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                  const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result);
+
+/// Searches along p from x for where the slope is at most a tenth of what it was, however far that is,
+/// or as near to it as doubles tell: for energies that are all but linear between creases much
+/// narrower than steps, on which each further step keeps to those that were found. Longer steps are
+/// tried fourfold; between two whose slopes differ in sign it halves, first their exponents. The
+/// memory of `result` is used again. @pre g(0).p < 0.
+void SearchToRest(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                  const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result);
 
 /// Searches from x along the path x + t p whose parameters stop at their kinks, on the energy of
 /// `run`. The path bends where a parameter stops, so slopes along p do not tell how the energy fell

@@ -4,7 +4,6 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/linear/sparse_matrix.h"
-#include "cirque/solver/line_search.h"
 
 namespace cirque {
 
@@ -54,14 +53,16 @@ void LevenbergMarquardtDamping::Adapt(double step_length) {
 namespace {
 
 void Search(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
-            const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* step) {
-  return run->kinks().empty() ? SearchAlong(x, gradient, direction, run, step)
+            const Eigen::VectorXd& direction, LineSearch search, SolveRun* run,
+            LineSearchResult* step) {
+  return run->kinks().empty() ? search(x, gradient, direction, run, step)
                               : SearchAlongKinks(run->kinks(), x, gradient, direction, run, step);
 }
 
 }  // namespace
 
-void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x) {
+void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x,
+                   LineSearch search) {
   LevenbergMarquardtDamping damping(run->energy());
   Eigen::VectorXd gradient, direction;
   LineSearchResult step;
@@ -72,7 +73,7 @@ void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::
       run->End(Termination::kStalled, "the Hessian could not be made positive definite");
       return;
     }
-    Search(*x, gradient, direction, run, &step);
+    Search(*x, gradient, direction, search, run, &step);
     if (!step.found) {
       if (damping.Raise()) continue;
       run->End(Termination::kStalled, "no step along the Newton direction improves x");

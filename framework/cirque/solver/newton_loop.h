@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "cirque/energy/energy.h"
+#include "cirque/solver/line_search.h"
 #include "cirque/solver/solve_run.h"
 
 namespace cirque {
@@ -49,8 +50,14 @@ using DirectionFinder =
     std::function<bool(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                        LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction)>;
 
+/// How far to go along a direction.
+using LineSearch = void (*)(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                            const Eigen::VectorXd& direction, SolveRun* run,
+                            LineSearchResult* result);
+
 /// The iteration that Newton's method and its relatives share: direction, line search, adaption of
-/// the damping, records, limits.
-void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x);
+/// the damping, records, limits. Of energies with kinks SearchAlongKinks is the line search.
+void IterateNewton(const DirectionFinder& find_direction, SolveRun* run, Eigen::VectorXd* x,
+                   LineSearch search = SearchAlong);
 
 }  // namespace cirque
