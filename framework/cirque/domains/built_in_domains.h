@@ -46,8 +46,8 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
 
 /// The same solve, in the upper half-plane: the boundary on the real axis from 0 to 1, the pole,
 /// which belongs at infinity, at a finite point high above (0.5 + i pole_height) from which its
-/// faces are not flipped. Exact maps and errors as above; also kInvalidInput for faces beyond an edge that joins
-/// two boundary vertices. Certificate: HalfPlaneSummary, flipped_triangles and the measures.
+/// faces are not flipped. Exact maps and errors as above; also kInvalidInput for faces beyond an edge
+/// that joins two boundary vertices. Certificate: HalfPlaneSummary, flipped_triangles and the measures.
 Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
                       const SolveControl& control, SurfaceMap* map);
 

@@ -66,7 +66,8 @@ struct ChartJob {
 /// sums along the pole's link that are only bounded: a proof of infeasibility is about those, the
 /// last pole being its removed vertex. Status ok even if the last chart still has flips: *clean
 /// says. With ParameterizeOptions::exact, `first` is the chart that was solved first about the last
-/// pole, before any edge was locked, as it was solved; none where the core is one triangle. @pre CheckIsDisk is ok.
+/// pole, before any edge was locked, as it was solved; none where the core is one triangle.
+/// @pre CheckIsDisk is ok.
 Status SolveHalfPlaneChart(const ChartJob& job, const FlipsOfChart& flips, Certificate* certificate,
                            HalfPlaneChart* chart, bool* clean, std::optional<SolvedChart>* first);
 
