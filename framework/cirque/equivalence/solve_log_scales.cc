@@ -206,6 +206,7 @@ class LogScaleSolve {
     const auto n = static_cast<int>(targets_.angle_sum.size());
     const int most = std::clamp(kPartsForOne * n, kLeastParts, kMostParts);
     double least = std::numeric_limits<double>::infinity();
+    SolveSummary parts;
     for (int i = 0, since_least = 0; i < most && since_least < kIdleParts; ++i) {
       const ConformalEquivalenceEnergy energy = Energy();
       Eigen::VectorXd u = Eigen::VectorXd::Zero(n);
@@ -216,13 +217,25 @@ class LogScaleSolve {
         return Status(StatusCode::kCancelled, "log scales: cancelled");
       }
       Advance(energy.ScaleOfVertices(u.data()), &base_);
+      const bool moved = result_.solve.num_iterations() > 0;
+      AddParts(&parts);
       if (!TakeAnew()) break;
       if (result_.residual <= kAcceptedResidual) return CheckTriangles();
-      if (result_.solve.num_iterations() == 0) break;
+      if (!moved) break;
       since_least = result_.residual < kLessResidual * least ? 0 : since_least + 1;
       least = std::min(least, result_.residual);
     }
     return Verdict();
+  }
+
+  /// Puts the iterations of the parts before in front of the last one's.
+  void AddParts(SolveSummary* before) {
+    SolveSummary& solve = result_.solve;
+    before->iterations.insert(before->iterations.end(), solve.iterations.begin(),
+                              solve.iterations.end());
+    before->factorizations += solve.factorizations;
+    solve.iterations = before->iterations;
+    solve.factorizations = before->factorizations;
   }
 
   static void Advance(const Eigen::VectorXd& by, Scales* scales) {
