@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -20,6 +21,15 @@
 #include "cirque/linear/blas_threads.h"
 
 #include "experiments/common/process.h"
+
+// Defined in a program, it takes the place of OpenBLAS', which asks it while it is loaded how many
+// threads to make. They would spin beside a short run until it ends, and where the address space is
+// limited (ulimit -v) end the program for want of room, or wait for ever for buffers that do not
+// fit. 0 lets OpenBLAS decide.
+extern "C" int openblas_num_threads_env() {
+  const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
+  return threads ? std::max(0, std::atoi(threads)) : 1;
+}
 
 namespace cirque {
 namespace {
@@ -84,13 +94,6 @@ bool Flush(std::string_view name) {
   }
   return written;
 }
-
-// Sanitizers are initialised later than this would run, and know no limit of the address space.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-using BeforeLibraries = void (*)(int, char**, char**);
-[[gnu::used, gnu::section(".preinit_array")]] BeforeLibraries before_libraries =
-    RestartWithOneBlasThread;
-#endif
 
 }  // namespace
 

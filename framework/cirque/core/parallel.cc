@@ -39,6 +39,7 @@ void ForEachBlock(int n, const std::function<void(int block, int begin, int end)
 }
 
 void ParallelTasks(int n, const std::function<void(int)>& body) {
+  if (n == 1) return body(0);
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, n, body); });
 }
 
@@ -59,6 +60,8 @@ void ParallelQueue(int n, const std::function<void(int)>& body) {
 }
 
 void ParallelSort(std::vector<std::pair<double, int>>* keys) {
+  // Threads that are not there yet take longer to begin than this.
+  if (keys->size() <= kParallelBlock) return std::sort(keys->begin(), keys->end());
   tbb::parallel_sort(keys->begin(), keys->end());
 }
 

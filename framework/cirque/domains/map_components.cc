@@ -63,6 +63,14 @@ MappedComponent MapOne(const ComponentJob& job, const SolveControl& control) {
   return mapped;
 }
 
+constexpr Index kWorthThreads = 2000;  // with fewer triangles in all, threads take longer to begin
+
+bool AreWorthThreads(const std::vector<ComponentJob>& jobs) {
+  Index faces = 0;
+  for (const ComponentJob& job : jobs) faces += job.surface.triangulation.num_faces();
+  return faces >= kWorthThreads && std::none_of(jobs.begin(), jobs.end(), IsDistributed);
+}
+
 /// The jobs by the size of their surfaces, the largest first.
 std::vector<Index> LargestFirst(const std::vector<ComponentJob>& jobs) {
   std::vector<Index> order(jobs.size());
@@ -87,10 +95,10 @@ std::vector<MappedComponent> MapComponents(const std::vector<ComponentJob>& jobs
     mapped[i].map.certificate.component = jobs[i].component;
   };
   const auto count = static_cast<int>(jobs.size());
-  if (std::any_of(jobs.begin(), jobs.end(), IsDistributed)) {
-    for (int k = 0; k < count; ++k) map(k);
-  } else {
+  if (AreWorthThreads(jobs)) {
     ParallelQueue(count, map);
+  } else {
+    for (int k = 0; k < count; ++k) map(k);
   }
   return mapped;
 }

@@ -3,11 +3,9 @@
 #include <dlfcn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <thread>
 #include <vector>
@@ -77,19 +75,6 @@ bool HasRoom(std::size_t bytes) {
 }
 
 }  // namespace
-
-void RestartWithOneBlasThread(int /*argc*/, char** argv, char** environment) {
-  constexpr char kSetting[] = "OPENBLAS_NUM_THREADS=1";
-  constexpr std::size_t kName = sizeof(kBlasThreads) - 1;
-  if (!openblas_set_num_threads || !HasLimitedAddressSpace()) return;
-  std::vector<char*> extended = {const_cast<char*>(kSetting)};
-  for (char** entry = environment; *entry; ++entry) {
-    if (std::strncmp(*entry, kSetting, kName + 1) == 0) return;
-    extended.push_back(*entry);
-  }
-  extended.push_back(nullptr);
-  execve("/proc/self/exe", argv, extended.data());  // where it fails, all goes on as it was
-}
 
 void UseOneBlasThread() {
   if (openblas_set_num_threads && !AsksForThreads(kBlasThreads)) openblas_set_num_threads(1);

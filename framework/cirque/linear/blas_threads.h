@@ -21,13 +21,6 @@ class OneBlasThread {
   int blas_threads_, active_levels_;
 };
 
-/// Begins the program `argv` anew with OPENBLAS_NUM_THREADS=1 where the address space is limited
-/// (ulimit -v) and the variable is not in `environment`: OpenBLAS makes threads while it is loaded,
-/// which ends the program where there is no room for one, and else lets them wait for ever for
-/// buffers that do not fit. To be called before libraries are initialised, as an entry of an
-/// executable's .preinit_array is.
-void RestartWithOneBlasThread(int argc, char** argv, char** environment);
-
 /// Takes the buffers that OpenBLAS needs for calls from `threads` threads at once (0: as many as
 /// there are cores) where the address space is limited: it waits for ever for one that it cannot
 /// have. Returns for how many there was room, `threads` where nothing is limited.

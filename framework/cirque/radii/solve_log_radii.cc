@@ -55,11 +55,17 @@ Status CheckStrictlyCoherent(const Triangulation& t, const CoherentAngles& angle
 }  // namespace
 
 RadiiSystem::RadiiSystem(const Triangulation& t, const SolverStrategy& strategy)
-    : solver_(strategy.MakeSystemSolver(t.num_faces())),
-      analysis_([this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); }) {}
+    : solver_(strategy.MakeSystemSolver(t.num_faces())) {
+  const auto analyse = [this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); };
+  if (t.num_faces() > kParallelBlock) {
+    analysis_.emplace(analyse);
+  } else {
+    analyse();
+  }
+}
 
 SystemSolver* RadiiSystem::Get() {
-  analysis_.Wait();
+  if (analysis_) analysis_->Wait();
   return solver_.get();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -41,7 +42,7 @@ class RadiiSystem {
 
  private:
   std::unique_ptr<SystemSolver> solver_;
-  BackgroundTask analysis_;
+  std::optional<BackgroundTask> analysis_;  // none where a thread would take longer to begin
 };
 
 /// Minimises the circle-pattern energy of the coherent angles from MaximizePatternVolume's start
