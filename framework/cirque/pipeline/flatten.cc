@@ -76,8 +76,9 @@ class Flattening {
           return true;
         });
     if (flipped.ok() && flipped->empty()) return Status();
-    if (!flipped.ok() && !MayDoBetterOnInput(flipped.status())) return flipped.status();
-    Status status = SolveOnInput();
+    const bool may_do_better = flipped.ok() || MayDoBetterOnInput(flipped.status());
+    if (!may_do_better || (!flipped.ok() && SolvedOnInput())) return flipped.status();
+    Status status = SolveOnInput(Wandered(flipped.status()) ? FitStart::kAfterWandering : Begin());
     if (!MayDoBetterOnInput(status)) return status;
     if (first_) return TakeFirst();
     return flipped.ok() ? AfterFlips(*flipped, status) : status;
@@ -109,6 +110,21 @@ class Flattening {
     return status.code() == StatusCode::kInfeasible || status.code() == StatusCode::kNotConverged;
   }
 
+  /// Whether the solve from 0 that has ended was that of the input's own triangles already.
+  bool SolvedOnInput() const {
+    return result_.intrinsic.flips.empty() && rounds_solved_ == 0 && !has_start_;
+  }
+
+  /// Whether the dual found neither angles nor a proof: with angles it was the radii that failed.
+  bool Wandered(const Status& status) const {
+    return status.code() == StatusCode::kNotConverged && result_.multipliers.size() == 0 &&
+           options_.angle_solver == ParameterizeOptions().angle_solver;
+  }
+
+  FitStart Begin() const {
+    return rounds_solved_ > 0 || has_start_ ? FitStart::kMultipliers : FitStart::kZero;
+  }
+
   StatusOr<std::vector<Index>> SolveRound(const std::vector<bool>& locked) {
     ++*flips_.delaunay_rounds;
     const Timer timer;
@@ -116,7 +132,7 @@ class Flattening {
     result_.intrinsic = MakeIntrinsicDelaunay(input_, job_.surface.lengths, {&targets_, locked});
     AddSeconds(timer, &certificate_.seconds.triangulation);
     if (Status s = FlipForTheFit(); !s.ok()) return s;
-    if (Status s = Solve(); !s.ok()) return s;
+    if (Status s = Solve(Begin()); !s.ok()) return s;
     return result_.on_input.flipped;
   }
 
@@ -133,22 +149,19 @@ class Flattening {
 
   /// On the input's triangles because these were asked for.
   Status SolveAsAsked() {
-    const Status status = SolveOnInput();
+    const Status status = SolveOnInput(Begin());
     if (status.code() != StatusCode::kInfeasible) return status;
     return {status.code(), status.message() + ", or flip to the intrinsic Delaunay triangulation"};
   }
 
-  Status SolveOnInput() {
+  Status SolveOnInput(FitStart start) {
     result_.intrinsic = {input_, job_.surface.lengths, {}, {}};
-    return Solve();
+    return Solve(start);
   }
 
-  Status Solve() {
+  Status Solve(FitStart start) {
     flips_.flips = static_cast<int>(result_.intrinsic.flips.size());
-    if (Status s = SolveFlatMetric(job_, rounds_solved_ > 0 || has_start_, &certificate_, &result_);
-        !s.ok()) {
-      return s;
-    }
+    if (Status s = SolveFlatMetric(job_, start, &certificate_, &result_); !s.ok()) return s;
     const Timer timer;
     ReadBack();
     AddSeconds(timer, &certificate_.seconds.layout);

@@ -84,7 +84,7 @@ class Rounds {
     FlatSurface flat;
     flat.intrinsic = {t, problem_.lengths(), {}, {}};
     const FlattenJob job = {surface_, *targets, options_, control_};
-    if (!SolveFlatMetric(job, false, &unused, &flat).ok()) return std::nullopt;
+    if (!SolveFlatMetric(job, FitStart::kZero, &unused, &flat).ok()) return std::nullopt;
     return basis_.Rotations(FlatCornerAngles(t, flat.angles, flat.log_radii).value);
   }
 

@@ -22,6 +22,13 @@ namespace {
 constexpr char kRetry[] = "interior_point", kRetryObjective[] = "quadratic";
 /// Share of the iterations after which a fit wanders: those that come to an end take under twenty.
 constexpr double kPatience = 0.3;
+/// Most fits that come to an end take fewer steps. Of the interior point a step costs less than one
+/// of the dual up to so many faces, and many times as much at 50,000.
+constexpr int kStepsOfMost = 8, kFewFaces = 20000;
+/// One whose vertex sums have all this time missed by more than kFar wanders too: those that come
+/// to an end are within a tenth of it by then.
+constexpr int kStepsToComeNear = 15;
+constexpr double kFar = 1;  // [rad]
 /// Errors of the vertex sums add up over the layout: of a million faces, sums that miss by 5e-12 rad
 /// leave edges that miss by 3e-8 of their length. From so many faces on less is allowed, down to
 /// what rounding leaves.
@@ -38,11 +45,11 @@ std::vector<double> GradientsOf(const SolveSummary& solve) {
 /// One triangulation on its way to a flat metric.
 class FlatMetricSolve {
  public:
-  FlatMetricSolve(const FlattenJob& job, bool has_start, Certificate* certificate,
+  FlatMetricSolve(const FlattenJob& job, FitStart start, Certificate* certificate,
                   FlatSurface* result)
       : job_(job),
         options_(job.options),
-        has_start_(has_start),
+        start_(start),
         certificate_(*certificate),
         result_(*result) {}
 
@@ -89,13 +96,16 @@ class FlatMetricSolve {
   }
 
   /// Another triangulation or method takes over from a fit that wanders.
-  OptionMap AngleSolverOptions() const {
+  int MostSteps() const {
+    return std::max(1, static_cast<int>(kPatience * options_.max_iterations));
+  }
+
+  OptionMap AngleSolverOptions(int most_steps) const {
     if (options_.angle_solver != ParameterizeOptions().angle_solver) return SolverOptions();
-    const int most = std::max(1, static_cast<int>(kPatience * options_.max_iterations));
     const double share = std::min(1., kManyFaces / t().num_faces());
     const double tolerance =
         std::max(kLeastTolerance, SolverLimits().gradient_tolerance * share * share);
-    return {{"max_iterations", std::to_string(most)},
+    return {{"max_iterations", std::to_string(most_steps)},
             {"gradient_tolerance", fmt::format("{}", tolerance)}};
   }
 
@@ -130,20 +140,53 @@ class FlatMetricSolve {
     const auto objective = AngleObjectiveOf(options_);
     if (!objective.ok()) return objective.status();
     const AngleConstraints constraints(t(), targets);
-    const auto method = MakeAngleSolver(options_.angle_solver, AngleSolverOptions());
-    if (!method.ok()) return method.status();
     const AngleFitProblem problem = {constraints, solved.angles.value, options_.epsilon,
                                      StartOfFit(constraints)};
     AngleFitResult fit;
-    Status status = cirque::FitAngles(problem, *objective, **method, job_.control, &fit);
-    if (status.code() == StatusCode::kNotConverged && result_.intrinsic.flips.empty()) {
-      RetryByInteriorPoint(problem, *objective, &fit, &status);
-    }
+    Status status = Fit(problem, *objective, &fit);
     result_.infeasibility = std::move(fit.infeasibility);
     Record(fit);
     result_.angles = std::move(fit.angles);
-    result_.multipliers = std::move(fit.multipliers);
+    // Where a fit has come to no end its multipliers are far from those of any triangulation.
+    result_.multipliers = status.ok() ? std::move(fit.multipliers) : Eigen::VectorXd();
     return status;
+  }
+
+  /// By the solver that was asked for and, where that decides nothing on the input's own triangles,
+  /// by the interior point: soon where it is likely to come to that and costs little.
+  Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
+             AngleFitResult* fit) {
+    const bool soon = start_ == FitStart::kAfterWandering && t().num_faces() <= kFewFaces &&
+                      !objective->MeasuresTheta();
+    Status status = FitAsAsked(problem, objective,
+                               soon ? std::min(kStepsOfMost, MostSteps()) : MostSteps(), fit);
+    if (status.code() != StatusCode::kNotConverged || !result_.intrinsic.flips.empty()) {
+      return status;
+    }
+    if (Decides(problem, objective, fit, &status) || !soon) return status;
+    return FitAsAsked(problem, objective, MostSteps(), fit);
+  }
+
+  Status FitAsAsked(const AngleFitProblem& problem,
+                    const std::shared_ptr<const AngleObjective>& objective, int most_steps,
+                    AngleFitResult* fit) {
+    const auto method = MakeAngleSolver(options_.angle_solver, AngleSolverOptions(most_steps));
+    if (!method.ok()) return method.status();
+    return cirque::FitAngles(problem, objective, **method, WithPatience(), fit);
+  }
+
+  /// The job's control, which also stops a fit by the default solver that wanders far away.
+  SolveControl WithPatience() const {
+    SolveControl control = job_.control;
+    if (options_.angle_solver != ParameterizeOptions().angle_solver) return control;
+    control.callback = [asked = job_.control.callback, nearest = 0.0](
+                           const IterationRecord& step, const Eigen::VectorXd& y) mutable {
+      if (asked && asked(step, y) == CallbackAction::kStop) return CallbackAction::kStop;
+      nearest = step.iteration == 1 ? step.gradient_max : std::min(nearest, step.gradient_max);
+      const bool far = step.iteration >= kStepsToComeNear && nearest > kFar;
+      return far ? CallbackAction::kStop : CallbackAction::kContinue;
+    };
+    return control;
   }
 
   void Record(const AngleFitResult& fit) {
@@ -166,28 +209,30 @@ class FlatMetricSolve {
   /// Another round changes the triangulation in a few places: its multipliers are nearly the last
   /// round's.
   const Eigen::VectorXd* StartOfFit(const AngleConstraints& constraints) const {
-    const bool fits = has_start_ && result_.multipliers.size() == constraints.num_rows();
+    const bool fits =
+        start_ == FitStart::kMultipliers && result_.multipliers.size() == constraints.num_rows();
     return fits ? &result_.multipliers : nullptr;
   }
 
   /// The dual can wander where no coherent angles exist, or hardly any, before its iterates prove
   /// it. The interior point then decides: angles or a proof. Which angles there are at all does not
   /// depend on the objective, if it should be one that the interior point does not take.
-  void RetryByInteriorPoint(const AngleFitProblem& problem,
-                            const std::shared_ptr<const AngleObjective>& objective,
-                            AngleFitResult* fit, Status* status) {
+  bool Decides(const AngleFitProblem& problem,
+               const std::shared_ptr<const AngleObjective>& objective, AngleFitResult* fit,
+               Status* status) {
     const auto method = MakeAngleSolver(kRetry);
-    if (!method.ok()) return;
+    if (!method.ok()) return false;
     AngleFitResult retried;
     Status again = cirque::FitAngles(problem, objective, **method, job_.control, &retried);
     if (again.code() == StatusCode::kInvalidInput) {
       const auto quadratic = AngleObjectives().Find(kRetryObjective);
       again = cirque::FitAngles(problem, *quadratic, **method, job_.control, &retried);
     }
-    if (!again.ok() && again.code() != StatusCode::kInfeasible) return;
+    if (!again.ok() && again.code() != StatusCode::kInfeasible) return false;
     Fill(&certificate_.angle_fit).angle_fit_retried = 1;
     *fit = std::move(retried);
     *status = again;
+    return true;
   }
 
   Status SolveRadii(const SolverStrategy& strategy, RadiiSystem* system) {
@@ -216,16 +261,16 @@ class FlatMetricSolve {
 
   const FlattenJob& job_;
   const ParameterizeOptions& options_;
-  const bool has_start_;
+  const FitStart start_;
   Certificate& certificate_;
   FlatSurface& result_;
 };
 
 }  // namespace
 
-Status SolveFlatMetric(const FlattenJob& job, bool has_start, Certificate* certificate,
+Status SolveFlatMetric(const FlattenJob& job, FitStart start, Certificate* certificate,
                        FlatSurface* result) {
-  return FlatMetricSolve(job, has_start, certificate, result).Run();
+  return FlatMetricSolve(job, start, certificate, result).Run();
 }
 
 }  // namespace cirque
