@@ -6,8 +6,8 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/lattice/flat_domain.h"
-#include "cirque/remesh/flat_mesh.h"
 #include "cirque/lattice/lattice_map.h"
+#include "cirque/remesh/flat_mesh.h"
 
 namespace cirque {
 

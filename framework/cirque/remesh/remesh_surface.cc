@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "cirque/remesh/even_triangles.h"
 #include "cirque/lattice/flat_domain.h"
-#include "cirque/remesh/flat_mesh.h"
 #include "cirque/lattice/lattice_map.h"
+#include "cirque/remesh/even_triangles.h"
+#include "cirque/remesh/flat_mesh.h"
 #include "cirque/remesh/lattice_mesh.h"
 #include "cirque/remesh/solved_pieces.h"
 

@@ -8,9 +8,9 @@
 
 #include "cirque/core/grouping.h"
 #include "cirque/core/types.h"
+#include "cirque/lattice/flat_domain.h"
 #include "cirque/layout/exact_map.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/lattice/flat_domain.h"
 
 namespace cirque {
 
