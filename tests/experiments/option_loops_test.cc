@@ -40,7 +40,9 @@ std::string OtherValue(const OptionInfo& option) {
 
 /// What else must be said with it.
 OptionMap Company(const std::string& name) {
-  return name == "cone_budget" ? OptionMap{{"cones", "greedy"}} : OptionMap();
+  if (name == "cone_budget") return {{"cones", "greedy"}};
+  if (name == "integer_cells") return {{"holonomy", "pi/2"}};
+  return {};
 }
 
 TEST(OptionLoops, EveryOptionOfTheTablesIsAFlagWithHelp) {
