@@ -154,9 +154,8 @@ const std::vector<BadConfig>& BadConfigs() {
       {"UnknownDomain", Config(kMesh, "{name: a, domain: dick}"),
        ":5:23: unknown domain 'dick'; did you mean 'disk'? Known: plane, sphere, disk"},
       {"ForeignToTheDomain", Config(kMesh, "{name: a, domain: [plane, half_plane], cones: greedy}"),
-       ":5:51: 'cones' has no meaning with domain 'half_plane', which takes refine_map, strict; "
-       "give "
-       "that domain an entry of its own"},
+       ":5:51: 'cones' has no meaning with domain 'half_plane', which takes refine_map, "
+       "exact_limit, strict; give that domain an entry of its own"},
       {"ForeignToTheSphere", Config(kMesh, "{name: a, domain: sphere, cut_cost: length}"),
        ":5:41: 'cut_cost' has no meaning with domain 'sphere', which takes layout, "
        "refine_map"},
