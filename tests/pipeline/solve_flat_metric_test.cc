@@ -13,10 +13,10 @@ namespace {
 /// A solve on a surface's own triangles.
 struct Solved {
   Solved(const Surface& surface, FitStart start, const ParameterizeOptions& options = {}) {
-    const IntrinsicSurface measured =
-        MeasureSurface(surface.triangulation, MeasureEdgeLengths(surface));
+    const EdgeLengths lengths = MeasureEdgeLengths(surface);
+    const IntrinsicSurface measured = MeasureSurface(surface.triangulation, lengths);
     const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
-    flat.intrinsic = {surface.triangulation, measured.lengths, {}, {}};
+    flat.intrinsic = {surface.triangulation, lengths, {}, {}};
     status = SolveFlatMetric({measured, targets, options, {}}, start, &certificate, &flat);
   }
 
