@@ -349,8 +349,11 @@ def test_an_exact_map_refines_the_mesh(square):
     if np.ptp(V[:, 2]) == 0:  # flat: an isometry
         assert np.allclose(np.linalg.norm(edges, axis=2), np.linalg.norm(lengths, axis=2))
     assert (edges[..., 0, 0] * edges[..., 1, 1] - edges[..., 0, 1] * edges[..., 1, 0] > 0).all()
+    in_disk = cirque.disk(V, F, exact=True).exact
+    assert set(in_disk.face_of_input) == set(range(len(F)))
+    assert np.hypot(*in_disk.uv.T).max() <= 1 + 1e-12
     with pytest.raises(cirque.InvalidInputError, match="exact"):
-        cirque.disk(V, F, exact=True)
+        cirque.flatten(V, F, domain="annulus", exact=True)
 
 
 def test_a_texture_moves_from_one_map_to_another(square):
