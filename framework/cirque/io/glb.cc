@@ -280,7 +280,7 @@ class GlbWriter {
 TextPieces FormatGlb(const PolygonSoup& mesh) { return GlbWriter(mesh).Write(); }
 
 std::string ProblemAsGlb(const PolygonSoup& mesh) {
-  constexpr double kLargest = double{std::numeric_limits<float>::max()};
+  constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
   const auto fits = [](const auto& point) { return point.cwiseAbs().maxCoeff() <= kLargest / 2; };
   if (!std::all_of(mesh.position.begin(), mesh.position.end(), fits) ||
       !std::all_of(mesh.texture.begin(), mesh.texture.end(), fits)) {
