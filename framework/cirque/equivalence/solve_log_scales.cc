@@ -1,7 +1,6 @@
 #include "cirque/equivalence/solve_log_scales.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -206,19 +205,19 @@ class LogScaleSolve {
     const auto n = static_cast<int>(targets_.angle_sum.size());
     const int most = std::clamp(kPartsForOne * n, kLeastParts, kMostParts);
     double least = std::numeric_limits<double>::infinity();
-    SolveSummary parts;
+    result_.solve = {};
     for (int i = 0, since_least = 0; i < most && since_least < kIdleParts; ++i) {
       const ConformalEquivalenceEnergy energy = Energy();
       Eigen::VectorXd u = Eigen::VectorXd::Zero(n);
       SolverLimits limits;
       limits.max_iterations = kIterationsInPart;
-      result_.solve = MinimizeRobustly(energy, limits, control, &u);
+      SolveSummary part = MinimizeRobustly(energy, limits, control, &u);
+      const bool moved = part.num_iterations() > 0;
+      result_.solve = Joined(std::move(result_.solve), std::move(part));
       if (result_.solve.termination == Termination::kCancelled) {
         return Status(StatusCode::kCancelled, "log scales: cancelled");
       }
       Advance(energy.ScaleOfVertices(u.data()), &base_);
-      const bool moved = result_.solve.num_iterations() > 0;
-      AddParts(&parts);
       if (!TakeAnew()) break;
       if (result_.residual <= kAcceptedResidual) return CheckTriangles();
       if (!moved) break;
@@ -228,14 +227,13 @@ class LogScaleSolve {
     return Verdict();
   }
 
-  /// Puts the iterations of the parts before in front of the last one's.
-  void AddParts(SolveSummary* before) {
-    SolveSummary& solve = result_.solve;
-    before->iterations.insert(before->iterations.end(), solve.iterations.begin(),
-                              solve.iterations.end());
-    before->factorizations += solve.factorizations;
-    solve.iterations = before->iterations;
-    solve.factorizations = before->factorizations;
+  /// A solve that went on from where another had ended.
+  static SolveSummary Joined(SolveSummary before, SolveSummary after) {
+    before.iterations.insert(before.iterations.end(), after.iterations.begin(),
+                             after.iterations.end());
+    after.iterations = std::move(before.iterations);
+    after.factorizations += before.factorizations;
+    return after;
   }
 
   static void Advance(const Eigen::VectorXd& by, Scales* scales) {
@@ -317,34 +315,32 @@ class LogScaleSolve {
     if (flips_ == Flips::kPtolemy && !complex.MakeDelaunay(none)) return false;
     result_.angles.value.resize(t_.num_halfedges());
     std::vector<double> rounding(t_.num_halfedges()), beyond(t_.num_halfedges());
+    Eigen::VectorXd range(complex.num_faces());
     const double size =
         1 + log_lengths_.lpNorm<Eigen::Infinity>() + scale.lpNorm<Eigen::Infinity>();
     ParallelFor(complex.num_faces(), [&](Index f) {
       const LogTriangle triangle = complex.ScaledTriangle(f, none);
+      range[f] = RangeOfSides(complex, f, none);
       double cotangents = 0;
       for (int k = 0; k < 3; ++k) cotangents += std::abs(triangle.Cotangent(k));
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         result_.angles.value[h] = triangle.angle[h - 3 * f];
         rounding[h] = cotangents * kRounding * size;
-        beyond[h] = std::min(kPi, std::exp(RangeOfSides(complex, f)) * kExtendedRounding * size);
+        beyond[h] = std::min(kPi, std::exp(range[f]) * kExtendedRounding * size);
       }
     });
     MeasureResidual(complex, rounding);
     beyond_digits_ = LargestSum(complex, beyond);
-    longest_needle_ = 0;
-    for (Index f = 0; f < complex.num_faces(); ++f) {
-      longest_needle_ = std::max(longest_needle_, RangeOfSides(complex, f));
-    }
+    longest_needle_ = range.maxCoeff();
     TakeTriangulation(complex);
     return true;
   }
 
-  /// Of the logarithms of a face's scaled sides.
-  double RangeOfSides(const PtolemyComplex& complex, Index f) const {
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(t_.num_vertices);
-    std::array<double, 3> x;
-    for (int k = 0; k < 3; ++k) x[k] = complex.ScaledLogLength(3 * f + k, none);
-    return *std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end());
+  /// Of the logarithms of a face's sides, scaled by u.
+  static double RangeOfSides(const PtolemyComplex& complex, Index f, const Eigen::VectorXd& u) {
+    Eigen::Array3d x;
+    for (int k = 0; k < 3; ++k) x[k] = complex.ScaledLogLength(3 * f + k, u);
+    return x.maxCoeff() - x.minCoeff();
   }
 
   /// Of values at corners, over the vertices whose angle sums are prescribed.
