@@ -16,12 +16,9 @@
 #include <gtest/gtest.h>
 
 #include "cirque/domains/domain.h"
-#include "cirque/domains/exact_mesh.h"
 #include "cirque/mesh/split_chords.h"
-#include "cirque/metrics/injectivity.h"
-#include "cirque/verify/judge_map.h"
-#include "cirque/verify/refinement_check.h"
 
+#include "tests/common/exact_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -45,22 +42,6 @@ Surface BentStrip(int rows) {
   return Moved(FlatStrip(8, rows), [](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(x.x(), 2.5 * x.y() + 0.9 * x.x(), std::sin(1.1 * x.x()));
   });
-}
-
-void ExpectAccepted(const Surface& surface, const SurfaceMap& map) {
-  const PolygonSoup input = TrianglesOf(surface);
-  const ExactMesh exact = RefineByExactMap(input, surface, *map.exact_map);
-  EXPECT_EQ(exact.mesh.num_polygons(), map.certificate.exact_map->exact_triangles);
-  const auto refinement = verify::CheckRefinement(input, exact.mesh, exact.polygon);
-  ASSERT_TRUE(refinement.ok());
-  EXPECT_THAT(refinement->errors, testing::IsEmpty());
-  EXPECT_LE(refinement->area_error, 1e-12);
-  PolygonSoup bare = exact.mesh;
-  bare.texture.clear();
-  bare.corner_texture.clear();
-  const auto verdict = JudgeMap(bare, exact.mesh);
-  ASSERT_TRUE(verdict.ok()) << verdict.status().message();
-  EXPECT_TRUE(verdict->valid) << verdict->verdict;
 }
 
 /// The first fundamental form of a piece in coordinates of its image.
@@ -132,7 +113,7 @@ TEST(ExactDisk, IsLinearOnTheSolvedFacesAndAccepted) {
       ASSERT_TRUE(map->exact_map);
       EXPECT_GT(map->certificate.exact_map->exact_crossings, 20) << name;
       EXPECT_GT(map->certificate.exact_map->exact_faces_ratio, 1);
-      ExpectAccepted(surface, *map);
+      ExpectExactMapIsAccepted(surface, *map);
       ExpectLinearOnSolvedFaces(surface, *map->exact_map);
       const auto place = Places(surface, *map->exact_map);
       const std::vector<Index> boundary = BoundaryOf(surface.triangulation);
@@ -150,7 +131,7 @@ TEST(ExactDisk, HasCentresOfMassWhereTheyAreAskedFor) {
     request.shape.normalization = normalization;
     const auto map = MapSurface(surface, request);
     ASSERT_TRUE(map.ok()) << map.status().message();
-    ExpectAccepted(surface, *map);
+    ExpectExactMapIsAccepted(surface, *map);
   }
 }
 
@@ -160,7 +141,7 @@ TEST(ExactDisk, OfWhatNeedsNoFlipIsTheMapAtTheVertices) {
   request.options.refine_map = "none";
   const auto map = MapSurface(patch, request);
   ASSERT_TRUE(map.ok()) << map.status().message();
-  ExpectAccepted(patch, *map);
+  ExpectExactMapIsAccepted(patch, *map);
   const auto place = Places(patch, *map->exact_map);
   for (Index h = 0; h < patch.triangulation.num_halfedges(); ++h) {
     const std::complex<double> z = place[patch.triangulation.vertex[h]];
@@ -176,7 +157,7 @@ TEST(ExactDisk, OfFacesBeyondChordsLiesInTheInputsFaces) {
     ASSERT_TRUE(map.ok()) << map.status().message();
     ASSERT_TRUE(map->certificate.disk->split_chords);
     EXPECT_GT(*map->certificate.disk->split_chords, 0);
-    ExpectAccepted(strip, *map);
+    ExpectExactMapIsAccepted(strip, *map);
     for (const Index f : map->exact_map->face_of_input) {
       EXPECT_LT(f, strip.triangulation.num_faces());
     }
@@ -192,7 +173,7 @@ TEST(ExactDisk, OfOneTriangleIsThatTriangle) {
     const auto map = MapSurface(triangle, ExactRequest(domain));
     ASSERT_TRUE(map.ok()) << domain << ": " << map.status().message();
     EXPECT_EQ(map->exact_map->num_triangles(), 1);
-    ExpectAccepted(triangle, *map);
+    ExpectExactMapIsAccepted(triangle, *map);
   }
 }
 
@@ -205,7 +186,7 @@ TEST(ExactHalfPlane, HasItsBoundaryOnTheRealAxis) {
     ASSERT_TRUE(map.ok()) << map.status().message();
     ASSERT_TRUE(map->exact_map);
     EXPECT_GT(map->certificate.exact_map->exact_crossings, 20);
-    ExpectAccepted(surface, *map);
+    ExpectExactMapIsAccepted(surface, *map);
     ExpectLinearOnSolvedFaces(surface, *map->exact_map);
     const auto place = Places(surface, *map->exact_map);
     const std::vector<Index> boundary = BoundaryOf(surface.triangulation);
