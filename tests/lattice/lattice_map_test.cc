@@ -106,7 +106,7 @@ TEST(LatticeMap, OfRegularPolyhedraHasTheirTriangles) {
           MakeLatticeMap(domain, LatticeKind::kTriangles, 1.02 * edge / parts);
       ASSERT_TRUE(map.ok()) << faces << " " << map.status().message();
       ExpectLatticeMap(domain, LatticeKind::kTriangles, *map);
-      const FlatDomain cells = DomainOf(domain, *map);
+      const FlatDomain cells = DomainOf(domain.triangulation(), map->uv);
       EXPECT_NEAR(cells.area(), faces * parts * parts * std::sqrt(3.) / 4, 1e-7)
           << "all edges are of so many cells";
       if (parts == 1) continue;
@@ -123,7 +123,7 @@ TEST(LatticeMesh, OfAPillowIsItsSquares) {
   const FlatDomain domain = DomainOf(pillow);
   const StatusOr<LatticeMap> map = MakeLatticeMap(domain, LatticeKind::kSquares, 0.5);
   ASSERT_TRUE(map.ok()) << map.status().message();
-  const FlatDomain cells = DomainOf(domain, *map);
+  const FlatDomain cells = DomainOf(domain.triangulation(), map->uv);
   const StatusOr<FlatMesh> mesh =
       MakeLatticeMesh(cells, LatticeKind::kSquares, *map, SolveControl());
   ASSERT_TRUE(mesh.ok()) << mesh.status().message();

@@ -230,4 +230,13 @@ FlatDomain::Arrival FlatDomain::AlongLoop(Index index, double from, double to) c
   return {OnLoop(index, to), frame(from).Inverse() * frame(to)};
 }
 
+FlatDomain DomainOf(const Triangulation& t, const CornerUv& uv) {
+  EdgeLengths lengths{Eigen::VectorXd(t.num_edges())};
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    const Index h = t.edge_halfedge[e];
+    lengths.value[e] = (uv.value[Triangulation::Next(h)] - uv.value[Triangulation::Prev(h)]).norm();
+  }
+  return {t, lengths};
+}
+
 }  // namespace cirque

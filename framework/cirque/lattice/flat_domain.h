@@ -76,6 +76,9 @@ class FlatDomain {
   double area_ = 0;
 };
 
+/// The flat metric that a map is whose edges have the same length on either side of seams.
+FlatDomain DomainOf(const Triangulation& triangulation, const CornerUv& uv);
+
 /// Twice the signed area of a triangle.
 inline double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());

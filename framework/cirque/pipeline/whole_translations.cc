@@ -21,27 +21,14 @@ LatticeKind KindOf(const ParameterizeOptions& options) {
                                                    : LatticeKind::kTriangles;
 }
 
-/// Of the edges in the plane, the mean of both sides.
-EdgeLengths LengthsInPlane(const Triangulation& t, const CornerUv& uv) {
-  EdgeLengths lengths{Eigen::VectorXd::Zero(t.num_edges())};
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    const double length =
-        (uv.value[Triangulation::Prev(h)] - uv.value[Triangulation::Next(h)]).norm();
-    lengths.value[t.edge[h]] += t.twin[h] == kNone ? length : length / 2;
-  }
-  return lengths;
-}
-
 double DistanceToLattice(LatticeKind kind, const Eigen::Vector2d& point) {
   return (NearestInLattice(kind, point) - point).norm();
 }
 
-}  // namespace
-
-double LatticeGap(const Job& job, const Parameterization& result) {
-  const Triangulation& t = job.surface.triangulation;
-  const LatticeKind kind = KindOf(job.options);
-  const std::vector<Index> cones = ConeVertices(job.surface.boundary, result.targets);
+/// How far cones are from points of the lattice, and seams' translations from lattice vectors, at most, in
+/// cells.
+double LatticeGap(const Triangulation& t, LatticeKind kind, const std::vector<Index>& cones,
+                  const Parameterization& result) {
   std::vector<bool> is_cone(t.num_vertices, false);
   for (const Index v : cones) is_cone[v] = true;
   double gap = 0;
@@ -55,6 +42,8 @@ double LatticeGap(const Job& job, const Parameterization& result) {
   return gap;
 }
 
+}  // namespace
+
 void MoveOntoLattice(const Job& job, Parameterization* result) {
   const Triangulation& t = job.surface.triangulation;
   Certificate& certificate = result->certificate;
@@ -64,7 +53,7 @@ void MoveOntoLattice(const Job& job, Parameterization* result) {
   if (!Inaccuracy(certificate).empty()) return;
   job.control.BeginStage("lattice");
   const LatticeKind kind = KindOf(job.options);
-  const FlatDomain flat(t, LengthsInPlane(t, result->uv));
+  const FlatDomain flat = DomainOf(t, result->uv);
   const double area_of_cell = kind == LatticeKind::kSquares ? 1 : std::sqrt(3.) / 4;
   const double cell = std::sqrt(flat.area() / (summary.integer_cells * area_of_cell));
   StatusOr<LatticeMap> map = MakeLatticeMap(flat, kind, cell, &result->cut);
@@ -79,7 +68,7 @@ void MoveOntoLattice(const Job& job, Parameterization* result) {
                                    OrderOf(kind), &result->uv);
   DescribeCut(job, result);
   Fill(&certificate.layout).rotation_order = exact ? OrderOf(kind) : 0;
-  summary.integer_gap = LatticeGap(job, *result);
+  summary.integer_gap = LatticeGap(t, kind, cones, *result);
 }
 
 }  // namespace cirque

@@ -15,8 +15,4 @@ namespace cirque {
 /// @pre the surface is closed.
 void MoveOntoLattice(const ParameterizeJob& job, Parameterization* result);
 
-/// How far cones are from points of the lattice, and seams' translations from lattice vectors, at most,
-/// in cells; the rotations are multiples.
-double LatticeGap(const ParameterizeJob& job, const Parameterization& result);
-
 }  // namespace cirque

@@ -161,16 +161,6 @@ class LatticeMesher {
 
 }  // namespace
 
-FlatDomain DomainOf(const FlatDomain& domain, const LatticeMap& map) {
-  const Triangulation& t = domain.triangulation();
-  EdgeLengths lengths{Eigen::VectorXd(t.num_edges())};
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    const Index h = t.edge_halfedge[e];
-    lengths.value[e] = (map.uv.value[Next(h)] - map.uv.value[Prev(h)]).norm();
-  }
-  return {t, lengths};
-}
-
 StatusOr<FlatMesh> MakeLatticeMesh(const FlatDomain& domain, LatticeKind kind,
                                    const LatticeMap& map, const SolveControl& control) {
   LatticeMesher mesher(domain, kind, map);

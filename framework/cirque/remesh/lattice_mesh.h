@@ -11,12 +11,9 @@
 
 namespace cirque {
 
-/// The metric of a lattice map: the domain's triangles with their lengths in cells.
-FlatDomain DomainOf(const FlatDomain& domain, const LatticeMap& map);
-
 /// The lattice as a mesh of a closed flat domain in cells: its vertices are the points of the lattice,
 /// cones among them, all else is collapsed, and edges are turned until they are Delaunay: triangles of
-/// the lattice, or halves of its squares. `domain` is DomainOf of the map.
+/// the lattice, or halves of its squares. `domain` is DomainOf of the map's uv.
 /// Error (kNotConverged): vertices remain or triangles are no cells, as where two cells would have
 /// more than an edge in common; (kCancelled).
 StatusOr<FlatMesh> MakeLatticeMesh(const FlatDomain& domain, LatticeKind kind,

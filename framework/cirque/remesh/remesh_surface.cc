@@ -126,7 +126,7 @@ class SurfaceRemesher {
                             : std::sqrt(area_ / (squares ? 1 : kTriangle) / options_.vertices);
     const StatusOr<LatticeMap> map = MakeLatticeMap(domain_, kind, scale * edge);
     if (!map.ok()) return map.status();
-    const FlatDomain cells = DomainOf(domain_, *map);
+    const FlatDomain cells = DomainOf(domain_.triangulation(), map->uv);
     const StatusOr<FlatMesh> mesh = MakeLatticeMesh(cells, kind, *map, control_);
     if (!mesh.ok()) return mesh.status();
     RemeshedSurface made = OnSurface(*mesh, edge);
