@@ -105,8 +105,9 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
   if (!measured.ok() || !WantsPictures(job)) return measured;
   UvMap image = MakeUvMap(input.surface, uv);
   const Certificate& certificate = map->certificate;
-  if (certificate.integers && certificate.integers->integer_gap)
-    image.lattice = job.options.holonomy == HolonomyRule::kHalves ? 4 : 6;
+  if (certificate.integers && certificate.integers->integer_gap) {
+    image.lattice = certificate.layout->rotation_order.value_or(0);
+  }
   return WritePictures(job.view, job.picture, TitleOf(job), image, certificate, report);
 }
 

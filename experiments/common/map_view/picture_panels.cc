@@ -71,24 +71,26 @@ float Smooth(double from, double to, double value) {
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 
-/// One of two colours by the square that a place lies in; grey where squares are smaller than what
-/// can be seen, `width` being how many of them a point is wide.
+/// One of the two colours; grey where what has it is smaller than what can be seen, a point being `width`
+/// of its periods wide.
+Rgb Blurred(const Rgb& own, double width) {
+  const float grey = Smooth(0.35, 1, width);
+  return (1 - grey) * own + grey * (kDark + kLight) / 2;
+}
+
+/// One of two colours by the square that a place lies in.
 Rgb CheckAt(const Eigen::Vector2d& place, double width) {
   const bool odd = (std::floor(2 * place.x()) + std::floor(2 * place.y())) -
                        2 * std::floor((std::floor(2 * place.x()) + std::floor(2 * place.y())) / 2) >
                    0.5;
-  const float grey = Smooth(0.35, 1, width);
-  const Rgb own = odd ? kLight : kDark, mean = (kDark + kLight) / 2;
-  return (1 - grey) * own + grey * mean;
+  return Blurred(odd ? kLight : kDark, width);
 }
 
 /// Dots on the points of a lattice of triangles, which its rotations take to themselves.
 Rgb DotAt(const Eigen::Vector2d& place, double width) {
   constexpr double kRadius = 0.3;
   const double from = (NearestInLattice(LatticeKind::kTriangles, place) - place).norm();
-  const float grey = Smooth(0.35, 1, width);
-  const Rgb own = from < kRadius ? kDark : kLight, mean = (kDark + kLight) / 2;
-  return (1 - grey) * own + grey * mean;
+  return Blurred(from < kRadius ? kDark : kLight, width);
 }
 
 /// Where Mercator's projection, times a whole number of squares, has a point of the sphere.

@@ -27,8 +27,8 @@ struct UvMap {
   std::vector<Index> boundary;             ///< halfedges on the surface's boundary
   std::vector<std::pair<Index, double>> cones;  ///< interior vertices, angle sum in the image [rad]
 
-  int lattice =
-      0;  ///< 4, 6: it repeats by the unit lattice of that order (LatticeKind); 0: no matter
+  /// 4, 6: it repeats by the unit lattice of that order (LatticeKind); 0: it need not.
+  int lattice = 0;
 
   bool IsOnSphere() const { return !on_sphere.empty(); }
 };

@@ -1,5 +1,7 @@
 #include "cirque/pipeline/options.h"
 
+#include <utility>
+
 #include "cirque/angles/registry.h"
 #include "cirque/cones/boundaries.h"
 #include "cirque/cones/cone.h"
@@ -185,14 +187,16 @@ Status CheckIntegers(const ParameterizeOptions& options) {
         "integer_cells needs rotations by multiples: holonomy = pi/2 (squares) or pi/3 "
         "(triangles)");
   }
-  const char* other = options.exact          ? "exact"
-                      : options.injective    ? "injective"
-                      : options.solve_at > 0 ? "solve_at"
-                                             : nullptr;
-  if (!other) return Status();
-  return Status::InvalidInput(std::string("integer_cells moves the map of the whole surface's own "
-                                          "triangles; leave out ") +
-                              other);
+  const std::pair<const char*, bool> others[] = {{"exact", options.exact},
+                                                 {"injective", options.injective},
+                                                 {"solve_at", options.solve_at > 0}};
+  for (const auto& [name, asked] : others) {
+    if (!asked) continue;
+    return Status::InvalidInput(
+        "integer_cells moves the map of the whole surface's own triangles; leave out " +
+        std::string(name));
+  }
+  return Status();
 }
 
 }  // namespace
