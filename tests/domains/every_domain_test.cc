@@ -132,6 +132,12 @@ TEST_P(EveryDomain, NumbersOfVerticesAndFacesDoNotMatter) {
       after_request.shape.corners.push_back(now[corner]);
     }
   }
+  // The hemisphere's boundary turns alike everywhere: where the curve begins is rounding's to say.
+  if (entry_.Reads("curve")) {
+    const Index start = surface.triangulation.Tail(BoundaryLoops(surface.triangulation)[0][0]);
+    before_request.shape.angle_zero = start;
+    after_request.shape.angle_zero = now[start];
+  }
   const SurfaceMap map = MustMap(surface, before_request);
   const SurfaceMap of_renumbered = MustMap(renumbered, after_request);
   for (const auto& [name, value] : NumbersOf(map.certificate)) {
@@ -232,7 +238,7 @@ TEST(MapSurface, UnknownDomainsAreRefused) {
 
 TEST(Domains, EveryOptionOfAShapeIsReadBySomeDomain) {
   for (const char* option : {"centre", "angle_zero", "pole", "normalization", "corners", "sides",
-                             "principal_axes", "inversion", "targets", "cut"}) {
+                             "principal_axes", "inversion", "targets", "cut", "curve"}) {
     EXPECT_TRUE(IsReadBySomeDomain(option)) << option;
   }
   EXPECT_FALSE(IsReadBySomeDomain("io"));

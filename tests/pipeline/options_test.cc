@@ -22,9 +22,9 @@ TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
                                 exact_limit, injective, strict, exact, own_objective, own_cones] =
       ParameterizeOptions();
   EXPECT_EQ(ParameterizeOptionTable().Names().size(), 24u);
-  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, pins,
-                                pin_weight, axes, inversion] = DomainOptions();
-  EXPECT_EQ(DomainOptionTable().Names().size(), 10u);
+  [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, curve,
+                                pins, pin_weight, axes, inversion] = DomainOptions();
+  EXPECT_EQ(DomainOptionTable().Names().size(), 11u);
 }
 
 TEST(ParameterizeOptions, DefaultsAreValidAndEveryOptionIsExplained) {

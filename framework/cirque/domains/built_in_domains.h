@@ -135,6 +135,23 @@ Status MapToTorus(const Surface& surface, const MapRequest& request, const Solve
 Status MapToRoundHoles(const Surface& surface, const MapRequest& request,
                        const SolveControl& control, SurfaceMap* map);
 
+/// Map of a topological disk onto what a closed curve bounds, boundary vertices on the curve, the vertex
+/// angle_zero at its first point, else the one from which the free boundary turns most as the curve does.
+/// The boundary gets the angle sums of a polygon inscribed in the curve (InscribedPolygons), at first
+/// with the lengths of the free boundary, then with those that come out, until they stay
+/// (BoundaryIteration): then the map is a circle pattern's, conformal, whose boundary is that polygon but
+/// for a similarity. Then vertices next to the curve's corners go there, and the interior is refined.
+/// Where the lengths do not settle or triangles would flip, the map is bent onto the curve instead
+/// (MeetLandmarks). Of the three degrees of freedom that conformal maps of a disk have the vertex at the
+/// first point takes one; two are where the boundary's lengths lead.
+///
+/// Edges between two boundary vertices are split for the solve. Certificate: CurveSummary. Errors:
+/// kInvalidInput for no topological disk, a vertex inside, a curve that is none; those of Parameterize;
+/// kUnrepresentable where the boundary has too few vertices for the curve or triangles are too large for
+/// it; kNotConverged where it cannot be bent onto the curve.
+Status MapToCurve(const Surface& surface, const MapRequest& request, const SolveControl& control,
+                  SurfaceMap* map);
+
 /// Parameterize: a surface of any topology, opened along a cut where it is no disk or has cones.
 Status MapToPlane(const Surface& surface, const MapRequest& request, const SolveControl& control,
                   SurfaceMap* map);

@@ -17,8 +17,9 @@ namespace cirque {
 /// What a map onto a chosen domain is to look like. Vertices are the surface's; kNone: chosen. Each
 /// domain reads its own fields (Domain::reads).
 struct DomainOptions {
-  Index centre = kNone;      ///< disk: inner vertex that goes to 0
-  Index angle_zero = kNone;  ///< disk: boundary vertex that goes to (1, 0)
+  Index centre = kNone;  ///< disk: inner vertex that goes to 0
+  Index angle_zero =
+      kNone;  ///< disk: boundary vertex that goes to (1, 0); curve: to its first point
   /// The vertex that the solve sends to infinity. disk, half-plane: of the boundary. sphere: any.
   Index pole = kNone;
   /// disk, instead of a centre: "boundary" or "area" puts a centre of mass at 0 (MapToDisk).
@@ -27,6 +28,8 @@ struct DomainOptions {
   /// rectangle, polygon, triangle: corner vertices in the boundary's order, the surface on its left
   std::vector<Index> corners = {};
   int sides = 4;  ///< polygon without corners given: how many
+  /// curve: what the boundary is put on, a file of its points or an ellipse (CurveOf).
+  std::string curve = "ellipse";
   /// plane: a file of where vertices go, a line `vertex x y` each (ReadPins); empty: none.
   std::string pins = {};
   /// plane, three pins or more: how much their misses weigh against the map's energy; 0: they are met

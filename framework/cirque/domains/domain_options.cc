@@ -40,11 +40,14 @@ const OptionTable<DomainOptions>& DomainOptionTable() {
         {"inversion", &O::inversion,
          "sphere: fit angles to the surface inverted about the pole, not to its own"},
         Vertex("centre", &O::centre, "disk: inner vertex that goes to 0"),
-        Vertex("angle_zero", &O::angle_zero, "disk: boundary vertex that goes to (1, 0)"),
+        Vertex("angle_zero", &O::angle_zero,
+               "disk: boundary vertex that goes to (1, 0); curve: to its first point"),
         Vertex("corners", &O::corners,
                "rectangle, polygon, triangle: boundary vertices in order, else chosen"),
         Option<O>("sides", &O::sides, "polygon: how many corners to choose, where none are given")
             .Between(3, 1000),
+        {"curve", &O::curve,
+         "curve: file of a closed curve for the boundary, 'x y' a line, or ellipse:ratio=R"},
         {"pins", &O::pins,
          "plane: file of where vertices go, 'vertex x y' a line: one moves the map, two turn and "
          "scale it, more bend it without flips"},

@@ -19,6 +19,7 @@
 #include "cirque/layout/seams.h"
 #include "cirque/layout/stretch_energy.h"
 #include "cirque/math/moebius.h"
+#include "cirque/math/similarity.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/finish_layout.h"
 
@@ -94,43 +95,31 @@ StatusOr<Complex> PlaceOf(const Surface& surface, const CornerUv& uv, Index v) {
   return Complex(place->x(), place->y());
 }
 
-/// z -> factor (z - from) + to.
-struct Similarity {
-  Complex factor = 1, from, to;
-};
-
 /// The one that comes nearest in the mean square; of two pins exactly. Of pins that are mirrored in the map
 /// it would be a point: then only the place and the size.
 StatusOr<Similarity> SimilarityOf(const Surface& surface, const std::vector<Pin>& pins,
                                   const CornerUv& uv) {
   std::vector<Complex> from, to;
-  Similarity similarity{1, 0, 0};
-  const auto count = static_cast<double>(pins.size());
   for (const Pin& pin : pins) {
     const StatusOr<Complex> place = PlaceOf(surface, uv, pin.vertex);
     if (!place.ok()) return place.status();
     from.push_back(*place);
     to.emplace_back(pin.at.x(), pin.at.y());
-    if (pins.size() > kOfSimilarity) similarity.from += from.back() / count;
-    if (pins.size() > kOfSimilarity) similarity.to += to.back() / count;
   }
-  if (pins.size() <= kOfSimilarity) similarity.from = from[0], similarity.to = to[0];
-  if (pins.size() == 1) return similarity;
-  Complex product = 0;
-  double spread = 0, wanted = 0;
-  for (std::size_t k = 0; k < pins.size(); ++k) {
-    product += std::conj(from[k] - similarity.from) * (to[k] - similarity.to);
-    spread += std::norm(from[k] - similarity.from);
-    wanted += std::norm(to[k] - similarity.to);
-  }
-  if (!(spread > 0)) {
+  if (pins.size() == 1) return Similarity{1, from[0], to[0]};
+  std::optional<Similarity> similarity = NearestSimilarity(from, to);
+  if (!similarity) {
     return Status::InvalidInput(
         "pins: the map has all these vertices at one place; pin other ones");
   }
+  double spread = 0, wanted = 0;
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    spread += std::norm(from[k] - similarity->from);
+    wanted += std::norm(to[k] - similarity->to);
+  }
   const double size = std::sqrt(wanted / spread);
-  similarity.factor = product / spread;
-  if (std::abs(similarity.factor) < kCollapses * size) similarity.factor = size;
-  return similarity;
+  if (std::abs(similarity->factor) < kCollapses * size) similarity->factor = size;
+  return *similarity;
 }
 
 Status CheckFlips(const Surface& surface, SurfaceMap* map) {
@@ -233,8 +222,7 @@ Status MoveToPins(const Surface& surface, const MapRequest& request, const std::
   const StatusOr<Similarity> similarity = SimilarityOf(surface, pins, map->uv);
   if (!similarity.ok()) return similarity.status();
   for (Eigen::Vector2d& p : map->uv.value) {
-    const Complex z =
-        similarity->factor * (Complex(p.x(), p.y()) - similarity->from) + similarity->to;
+    const Complex z = (*similarity)(Complex(p.x(), p.y()));
     p = {z.real(), z.imag()};
   }
   const bool bends = pins.size() > kOfSimilarity;

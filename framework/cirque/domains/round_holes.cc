@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "cirque/core/solve_summary.h"
+#include "cirque/domains/boundary_iteration.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/corner_places.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
-#include "cirque/math/anderson_mixing.h"
 #include "cirque/math/inscribed_polygon.h"
 #include "cirque/mesh/split_chords.h"
 #include "cirque/pipeline/finish_layout.h"
@@ -25,12 +23,6 @@ namespace {
 using Complex = std::complex<double>;
 using Loop = std::vector<Index>;
 
-constexpr int kMostRounds = 60;
-constexpr int kDepth = 8;          ///< of Anderson's acceleration
-constexpr double kAtRest = 1e-10;  ///< of log lengths, of which a round changes none by more
-constexpr double kGoodEnough = 1e-7;
-constexpr double kLargestChange = 0.5;  ///< of a log length in a round
-constexpr int kWithoutGain = 6;         ///< rounds, at rounding
 /// Of a round's change. A wave of n periods on the outer circle comes back 1/n as high, on a hole's
 /// -1/n, of which that of one period would stay.
 constexpr double kOuterShare = 1, kHoleShare = 2.0 / 3;
@@ -124,82 +116,27 @@ class LoopShapes {
   Eigen::Index size_ = 0;
 };
 
-/// Flattens with the loops inscribed, by the lengths that come out again, until these stay. Where
-/// does not converge, as where intrinsic flips join vertices of one loop or change from round to
-/// round, it begins again on the input's connectivity, then from the best shape with half the shares.
-class LoopRounding {
- public:
-  LoopRounding(const Surface& surface, const std::vector<Loop>& loops, const MapRequest& request,
-               const SolveControl& control)
-      : surface_(surface),
-        control_(control),
-        options_(request.options),
-        shapes_(surface.triangulation, loops),
-        shares_(shapes_.Shares()),
-        shape_(shapes_.ShapeOf(MeasureEdgeLengths(surface))) {
-    options_.refine_map = "none";
-  }
-
-  Status Run(SurfaceMap* map) {
-    const Eigen::VectorXd start = shape_;
-    const SolvedTriangulation asked = options_.triangulation;
-    Status status = RunFromHere(map);
-    if (!status.ok()) return status;
-    if (least_ > kGoodEnough && asked == SolvedTriangulation::kDelaunay) {
-      options_.triangulation = SolvedTriangulation::kInput;
-      shape_ = start;
-      status = RunFromHere(map);
-      options_.triangulation = asked;
-    }
-    if (status.code() != StatusCode::kCancelled && least_ > kGoodEnough) {
-      shares_ /= 2, shape_ = best_shape_;
-      status = RunFromHere(map);
-    }
-    if (status.code() == StatusCode::kCancelled) return status;
-    *map = *std::move(best_);
-    if (least_ <= kGoodEnough) return Status();
-    return Status(StatusCode::kNotConverged,
-                  fmt::format("round_holes: after {} rounds edges of the boundary still change by "
-                              "{:.1e} of their lengths (a finer mesh may help)",
-                              rounds_, least_));
-  }
-
-  int rounds() const { return rounds_; }
-
- private:
-  Status RunFromHere(SurfaceMap* map) {
-    AndersonMixing mixing(kDepth);
-    for (int since = 0, round = 0; since < kWithoutGain && round < kMostRounds; ++since, ++round) {
-      SurfaceMap next;
-      Status status =
-          Parameterize(surface_, {options_, shapes_.Inscribed(shape_), {}, {}}, control_, &next);
-      ++rounds_;
-      if (!status.ok()) {
-        *map = std::move(next);
-        return status;
-      }
-      const Eigen::VectorXd change = shapes_.ShapeOf(next.flat.on_input.lengths) - shape_;
-      const double largest = change.cwiseAbs().maxCoeff();
-      if (largest < least_) {
-        if (largest > kGoodEnough || largest < least_ / 2) since = 0;
-        least_ = largest, best_ = std::move(next), best_shape_ = shape_;
-      }
-      if (least_ <= kAtRest) break;
-      const Eigen::ArrayXd bounded = change.array().max(-kLargestChange).min(kLargestChange);
-      shape_ = mixing.Next(shape_, shares_.cwiseProduct(bounded.matrix()));
-    }
-    return Status();
-  }
-
-  const Surface& surface_;
-  const SolveControl& control_;
-  ParameterizeOptions options_;
-  const LoopShapes shapes_;
-  Eigen::VectorXd shares_, shape_, best_shape_;
-  std::optional<SurfaceMap> best_;
-  double least_ = std::numeric_limits<double>::infinity();
-  int rounds_ = 0;
-};
+/// Flattens with the loops inscribed, by the lengths that come out again, until these stay.
+Status RoundLoops(const Surface& surface, const std::vector<Loop>& loops, const MapRequest& request,
+                  const SolveControl& control, SurfaceMap* map, int* rounds) {
+  const LoopShapes shapes(surface.triangulation, loops);
+  const BoundaryRule rule = {
+      [&](const Eigen::VectorXd& shape) { return shapes.Inscribed(shape); },
+      [&](const Eigen::VectorXd& shape, const EdgeLengths& flat) -> Eigen::VectorXd {
+        return shapes.ShapeOf(flat) - shape;
+      },
+      shapes.ShapeOf(MeasureEdgeLengths(surface)), shapes.Shares()};
+  BoundaryIteration iteration(surface, rule, request.options, control);
+  const Status status = iteration.Run(map);
+  *rounds = iteration.rounds();
+  if (!status.ok()) return status;
+  *map = std::move(iteration.map());
+  if (iteration.IsSettled()) return Status();
+  return Status(StatusCode::kNotConverged,
+                fmt::format("round_holes: after {} rounds edges of the boundary still change by "
+                            "{:.1e} of their lengths (a finer mesh may help)",
+                            *rounds, iteration.change()));
+}
 
 /// The mean of the places of every vertex, which the seams part by rounding.
 std::vector<Complex> PlacesOfVertices(const Triangulation& t, const CornerUv& uv) {
@@ -299,8 +236,8 @@ Status SolveWithoutChords(const Surface& surface, const std::vector<Loop>& loops
   // Halves of boundary edges there are none: loops keep their vertices.
   const std::vector<Loop> solved = LoopsByLength(split);
   const Triangulation& t = split.triangulation;
-  LoopRounding rounding(split, solved, request, control);
-  const Status rounded = rounding.Run(map);
+  int rounds = 0;
+  const Status rounded = RoundLoops(split, solved, request, control, map, &rounds);
   if (rounded.code() == StatusCode::kInfeasible && !none) {
     map->flat.infeasibility = {};
     map->certificate.infeasibility = {};
@@ -311,7 +248,7 @@ Status SolveWithoutChords(const Surface& surface, const std::vector<Loop>& loops
   if (!rounded.ok()) return rounded;
   std::vector<Complex> place = PlacesOfVertices(t, map->uv);
   RoundHolesSummary summary = PutOnCircles(t, solved, &place);
-  summary.rounds = rounding.rounds();
+  summary.rounds = rounds;
   summary.chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));
   map->certificate.round_holes = summary;
   const Triangulation& whole = surface.triangulation;

@@ -108,10 +108,13 @@ class LandmarkDescent {
   bool PutInPlace() {
     CornerUv moved = *uv_;
     const Triangulation& t = of_.surface.triangulation;
+    std::vector<Index> landmark(t.num_vertices, kNone);
+    for (std::size_t k = 0; k < landmarks_.size(); ++k) {
+      landmark[landmarks_[k].vertex] = static_cast<Index>(k);
+    }
     for (Index h = 0; h < t.num_halfedges(); ++h) {
-      for (const Landmark& landmark : landmarks_) {
-        if (t.vertex[h] == landmark.vertex) moved.value[h] = landmark.at;
-      }
+      const Index k = landmark[t.vertex[h]];
+      if (k != kNone) moved.value[h] = landmarks_[k].at;
     }
     for (std::size_t c = 0; c < moved.value.size(); c += 3) {
       const bool kept = OrientationSign(moved.value[c], moved.value[c + 1], moved.value[c + 2]) > 0;

@@ -53,6 +53,7 @@ struct Certificate {
   std::optional<PolygonSummary> polygon;
   std::optional<PeriodicSummary> periodic;
   std::optional<RoundHolesSummary> round_holes;
+  std::optional<CurveSummary> curve;
   std::optional<PinSummary> pins;
   std::optional<AtlasSummary> atlas;
   std::optional<ProcessSummary> process;

@@ -18,6 +18,7 @@ constexpr char kHalfPlane[] = "half-plane";
 constexpr char kPolygon[] = "polygon";
 constexpr char kPeriodic[] = "annulus, strip and torus";
 constexpr char kRoundHoles[] = "round holes";
+constexpr char kCurve[] = "curve";
 constexpr char kPins[] = "pins";
 constexpr char kAtlas[] = "several components";
 constexpr char kProcess[] = "process";
@@ -220,6 +221,25 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::round_holes, &RoundHolesSummary::smallest_radius>},
     {"largest_hole_radius", kRoundHoles, "", "the largest",
      ReadMember<&C::round_holes, &RoundHolesSummary::largest_radius>},
+    {"curve_start_vertex", kCurve, "", "boundary vertex at the curve's first point",
+     ReadMember<&C::curve, &CurveSummary::start_vertex>},
+    {"curve_rounds", kCurve, "",
+     "solves until the boundary's lengths were those that its angles were chosen for",
+     ReadMember<&C::curve, &CurveSummary::rounds>},
+    {"curve_chords", kCurve, "",
+     "edges between two boundary vertices that were split for the solve",
+     ReadMember<&C::curve, &CurveSummary::chords>},
+    {"curve_corners", kCurve, "", "corners of the curve that a vertex lies on",
+     ReadMember<&C::curve, &CurveSummary::corners>},
+    {"curve_length_mismatch", kCurve, "",
+     "largest log of a boundary edge's share as it was solved for against that on the curve",
+     ReadMember<&C::curve, &CurveSummary::length_mismatch>},
+    {"curve_shift", kCurve, "",
+     "largest way of a boundary vertex onto the curve, over the root of the curve's area",
+     ReadMember<&C::curve, &CurveSummary::shift>},
+    {"curve_bend_steps", kCurve, "",
+     "steps that bent the map where the straight way flips triangles",
+     ReadMember<&C::curve, &CurveSummary::bend_steps>},
     {"pins", kPins, "", "pins that the map was bent to, three or more",
      ReadMember<&C::pins, &PinSummary::pins>},
     {"pin_steps", kPins, "", "steps of the descent", ReadMember<&C::pins, &PinSummary::steps>},

@@ -253,6 +253,17 @@ struct RoundHolesSummary {
   double smallest_radius = kUnset, largest_radius = kUnset;
 };
 
+/// A map whose boundary lies on a curve.
+struct CurveSummary {
+  Index start_vertex = kNone;  ///< the one at the curve's first point, as in the file, from 0
+  int rounds = 0, corners = 0, chords = 0, bend_steps = 0;
+  /// Log of the share that an edge has of the boundary as it was solved for, against that of the polygon
+  /// on the curve: the largest.
+  double length_mismatch = kUnset;
+  double shift =
+      kUnset;  ///< of a boundary vertex onto the curve, over the root of the curve's area
+};
+
 /// A map that is bent to three pins or more (MeetLandmarks). Misses over the square root of the image's
 /// area.
 struct PinSummary {

@@ -1,0 +1,105 @@
+#include "cirque/math/closed_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cirque/math/boundary_sweep.h"
+
+namespace cirque {
+namespace {
+
+using Eigen::Vector2d;
+
+double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double TwiceArea(const std::vector<Vector2d>& point) {
+  double twice = 0;
+  for (std::size_t k = 1; k + 1 < point.size(); ++k) {
+    twice += Cross(point[k] - point[0], point[k + 1] - point[0]);
+  }
+  return twice;
+}
+
+Status CheckPoints(const std::vector<Vector2d>& point) {
+  if (point.size() < 3) return Status::InvalidInput("a closed curve has three points or more");
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    if (!point[k].allFinite()) {
+      return Status::InvalidInput(fmt::format("point {} of the curve is not finite", k + 1));
+    }
+    if (point[k] == point[(k + 1) % point.size()]) {
+      return Status::InvalidInput(
+          fmt::format("points {} and {} of the curve are one", k + 1, (k + 1) % point.size() + 1));
+    }
+  }
+  return Status();
+}
+
+/// Sides are numbered as they were given, which may be the other way round.
+Status CheckSimple(const std::vector<Vector2d>& point, bool reversed) {
+  const auto n = static_cast<int>(point.size());
+  std::vector<DirectedSegment> sides;
+  for (int k = 0; k < n; ++k) sides.push_back({point[k], point[(k + 1) % n]});
+  const auto meet = FindOverlap(sides, Contacts::kEndsOnly);
+  if (!meet) return Status();
+  const auto given = [&](int side) { return reversed ? n - side : side + 1; };
+  const int a = given(meet->first), b = given(meet->second);
+  return Status::InvalidInput(
+      fmt::format("the curve meets itself: the sides that begin at its points {} and {} do",
+                  std::min(a, b), std::max(a, b)));
+}
+
+}  // namespace
+
+double AngleBetween(const Vector2d& from, const Vector2d& to) {
+  return std::atan2(Cross(from, to), from.dot(to));
+}
+
+StatusOr<ClosedCurve> ClosedCurve::Through(std::vector<Vector2d> points) {
+  if (points.size() > 3 && points.front() == points.back()) points.pop_back();
+  if (Status s = CheckPoints(points); !s.ok()) return s;
+  const double twice_area = TwiceArea(points);
+  if (twice_area < 0) std::reverse(points.begin() + 1, points.end());
+  if (Status s = CheckSimple(points, twice_area < 0); !s.ok()) return s;
+  if (!std::isnormal(twice_area)) {
+    return Status::InvalidInput("doubles do not hold the curve's area; scale it to about 1");
+  }
+  return ClosedCurve(std::move(points));
+}
+
+ClosedCurve::ClosedCurve(std::vector<Vector2d> points) : point_(std::move(points)) {
+  arc_.push_back(0);
+  for (std::size_t k = 0; k < point_.size(); ++k) {
+    arc_.push_back(arc_.back() + (point_[(k + 1) % point_.size()] - point_[k]).norm());
+  }
+}
+
+double ClosedCurve::Area() const { return TwiceArea(point_) / 2; }
+
+Vector2d ClosedCurve::At(double arc) const {
+  const double on = arc - length() * std::floor(arc / length());
+  const auto above = std::upper_bound(arc_.begin(), arc_.end() - 1, on);
+  const auto k = static_cast<std::size_t>(above - arc_.begin()) - 1;
+  const double share = std::clamp((on - arc_[k]) / (arc_[k + 1] - arc_[k]), 0.0, 1.0);
+  if (share == 0) return point_[k];
+  return point_[k] + share * (point_[(k + 1) % point_.size()] - point_[k]);
+}
+
+double ClosedCurve::TurningAt(std::size_t k) const {
+  const std::size_t n = point_.size();
+  return AngleBetween(point_[k] - point_[(k + n - 1) % n], point_[(k + 1) % n] - point_[k]);
+}
+
+ClosedCurve Ellipse(double ratio, int points) {
+  std::vector<Vector2d> point;
+  for (int k = 0; k < points; ++k) {
+    const double angle = 2 * std::numbers::pi * k / points;
+    point.emplace_back(ratio * std::cos(angle), std::sin(angle));
+  }
+  return *ClosedCurve::Through(std::move(point));
+}
+
+}  // namespace cirque
