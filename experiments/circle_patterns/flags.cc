@@ -233,6 +233,14 @@ Status CirclePatternsFlags::CheckFiles() const {
     return refuse(
         "-solve_at takes meshes, and has no flat metric of all faces: leave out -ic, -oc");
   }
+  const OptionMap& shape = job.domain.shape;
+  if (!job.input_con.empty() && !shape.empty()) {
+    return refuse("a metric has no points to be put in a place: leave out -ic or -" +
+                  shape.begin()->first);
+  }
+  if (!job.con.empty() && shape.count("symmetric") && shape.at("symmetric") == "true") {
+    return refuse("-symmetric solves one half, and has no flat metric of all faces: leave out -oc");
+  }
   if (job.output.empty() && (job.input_con.empty() || job.con.empty())) {
     return refuse("no output is given: circle_patterns IN OUT; see --help");
   }

@@ -23,8 +23,8 @@ TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
       ParameterizeOptions();
   EXPECT_EQ(ParameterizeOptionTable().Names().size(), 24u);
   [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, curve,
-                                pins, pin_weight, axes, inversion] = DomainOptions();
-  EXPECT_EQ(DomainOptionTable().Names().size(), 11u);
+                                pins, pin_weight, symmetric, axes, inversion] = DomainOptions();
+  EXPECT_EQ(DomainOptionTable().Names().size(), 12u);
 }
 
 TEST(ParameterizeOptions, DefaultsAreValidAndEveryOptionIsExplained) {

@@ -35,6 +35,8 @@ struct DomainOptions {
   /// plane, three pins or more: how much their misses weigh against the map's energy; 0: they are met
   /// exactly or there is no map (MeetLandmarks).
   double pin_weight = 0;
+  /// plane: a disk that is its own mirror image gets a map that is (MapMirrored).
+  bool symmetric = false;
   /// sphere: turned so that the second moments of the surface's area on it are largest along x and
   /// smallest along z, the third moments along x and y positive. (Symmetric surfaces leave axes or
   /// signs undetermined: rounding then decides, the same way every time.)

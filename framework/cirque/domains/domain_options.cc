@@ -55,7 +55,9 @@ const OptionTable<DomainOptions>& DomainOptionTable() {
             "pin_weight", &O::pin_weight,
             "plane, three pins or more: weight of their misses against the map's distortion; 0: "
             "they are met exactly")
-            .Between(0, 1e12)};
+            .Between(0, 1e12),
+        {"symmetric", &O::symmetric,
+         "plane: a disk that is its own mirror image, mesh included, gets a map that is"}};
     for (Option<O>& row : rows) {
       const std::string& name = row.info().name;
       const bool of_sphere = name == "principal_axes" || name == "inversion";

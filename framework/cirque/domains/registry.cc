@@ -13,6 +13,7 @@
 #include "cirque/domains/domain_ladder.h"
 #include "cirque/domains/extreme_scale.h"
 #include "cirque/domains/map_decimated.h"
+#include "cirque/domains/map_mirrored.h"
 #include "cirque/domains/pins.h"
 #include "cirque/mesh/file_numbers.h"
 #include "cirque/pipeline/finish_layout.h"
@@ -37,7 +38,8 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
         std::pair("cut", request.cut.has_value()), std::pair("exact", request.options.exact),
         std::pair("injective", request.options.injective),
         std::pair("solve_at", request.options.solve_at > 0),
-        std::pair("pins", !request.shape.pins.empty())}) {
+        std::pair("pins", !request.shape.pins.empty()),
+        std::pair("symmetric", request.shape.symmetric)}) {
     if (!given || domain.Reads(option)) continue;
     const bool exact = std::string_view(option) == "exact";
     return Status::InvalidInput(fmt::format("the domain {} takes no {}{}", request.domain, option,
@@ -62,9 +64,10 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
   return Status();
 }
 
-/// On the surface itself or, where it is to be solved at fewer faces, from there.
+/// On the surface itself or, where it is to be solved by its half or at fewer faces, from there.
 Status MapAsAsked(const Domain& domain, const Surface& surface, const MapRequest& request,
                   const SolveControl& control, SurfaceMap* map) {
+  if (request.shape.symmetric) return MapMirrored(surface, request, control, map);
   const Index most = request.options.solve_at;
   if (most > 0 && surface.triangulation.num_faces() > most) {
     return MapDecimated(surface, request, control, map);
@@ -93,7 +96,7 @@ const Registry<Domain>& Domains() {
          {"targets",     "cut",         "metric",     "pattern",  "layout",       "cones",
           "cone_budget", "cone_angles", "holonomy",   "boundary", "refine_cones", "refine_map",
           "seams",       "cut_cost",    "edge_costs", "exact",    "exact_limit",  "strict",
-          "injective",   "pins",        "pin_weight", "solve_at"},
+          "injective",   "pins",        "pin_weight", "solve_at", "symmetric"},
          {"uv", "flat"},
          MapToPlane}},
        {"sphere",

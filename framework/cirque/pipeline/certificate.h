@@ -54,6 +54,7 @@ struct Certificate {
   std::optional<PeriodicSummary> periodic;
   std::optional<RoundHolesSummary> round_holes;
   std::optional<CurveSummary> curve;
+  std::optional<MirrorSummary> mirror;
   std::optional<PinSummary> pins;
   std::optional<AtlasSummary> atlas;
   std::optional<ProcessSummary> process;

@@ -19,6 +19,7 @@ constexpr char kPolygon[] = "polygon";
 constexpr char kPeriodic[] = "annulus, strip and torus";
 constexpr char kRoundHoles[] = "round holes";
 constexpr char kCurve[] = "curve";
+constexpr char kMirror[] = "mirror symmetry";
 constexpr char kPins[] = "pins";
 constexpr char kAtlas[] = "several components";
 constexpr char kProcess[] = "process";
@@ -240,6 +241,13 @@ constexpr CertificateRow kRows[] = {
     {"curve_bend_steps", kCurve, "",
      "steps that bent the map where the straight way flips triangles",
      ReadMember<&C::curve, &CurveSummary::bend_steps>},
+    {"mirror_vertices", kMirror, "", "vertices on the axis, which lie at x = 0",
+     ReadMember<&C::mirror, &MirrorSummary::on_axis>},
+    {"mirror_split_edges", kMirror, "", "edges across the axis, halved for the solve",
+     ReadMember<&C::mirror, &MirrorSummary::across_axis>},
+    {"mirror_length_mismatch", kMirror, "",
+     "largest relative difference of an edge's length from its mirror image's",
+     ReadMember<&C::mirror, &MirrorSummary::length_mismatch>},
     {"pins", kPins, "", "pins that the map was bent to, three or more",
      ReadMember<&C::pins, &PinSummary::pins>},
     {"pin_steps", kPins, "", "steps of the descent", ReadMember<&C::pins, &PinSummary::steps>},

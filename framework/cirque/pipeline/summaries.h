@@ -253,6 +253,12 @@ struct RoundHolesSummary {
   double smallest_radius = kUnset, largest_radius = kUnset;
 };
 
+/// A map of a surface that is its own mirror image, by one half of it (MapMirrored).
+struct MirrorSummary {
+  Index on_axis = 0, across_axis = 0;  ///< vertices there; edges that lead across it
+  double length_mismatch = kUnset;     ///< of edges and their mirror images, relative
+};
+
 /// A map whose boundary lies on a curve.
 struct CurveSummary {
   Index start_vertex = kNone;  ///< the one at the curve's first point, as in the file, from 0
