@@ -94,6 +94,33 @@ TEST(MapMirrored, AnAxisThroughFacesIsNoHindrance) {
   EXPECT_EQ(paired, 6);
 }
 
+/// Quads whose middle column lies across the axis.
+TEST(MapMirrored, QuadsAcrossTheAxisAreHalved) {
+  PolygonSoup soup;
+  for (int j = 0; j <= 4; ++j) {
+    for (int i = 0; i <= 5; ++i) soup.position.emplace_back(i, j, 0.1 * j * (i - 2.5) * (i - 2.5));
+  }
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 5; ++i) {
+      for (const int v : {6 * j + i, 6 * j + i + 1, 6 * j + i + 7, 6 * j + i + 6}) {
+        soup.corner.push_back(v);
+      }
+      soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+    }
+  }
+  const Surface grid = SurfaceOf(soup);
+  const SurfaceMap map = MustMap(grid, Symmetric());
+  EXPECT_EQ(map.certificate.mirror->across_axis, 5);
+  EXPECT_EQ(map.certificate.mirror->on_axis, 0);
+  EXPECT_TRUE(FlippedFaces(grid.triangulation, map.uv).empty());
+  const std::vector<Complex> place = PlacesOf(grid, map);
+  for (Index j = 0; j <= 4; ++j) {
+    for (Index i = 0; i <= 5; ++i) {
+      EXPECT_EQ(place[6 * j + 5 - i], -std::conj(place[6 * j + i]));
+    }
+  }
+}
+
 TEST(MapMirrored, RefusesWhatIsNotSymmetric) {
   const auto message = [](const Surface& surface, const MapRequest& request) {
     return MustFail(surface, request, StatusCode::kInvalidInput).message;

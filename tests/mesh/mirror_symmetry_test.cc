@@ -10,18 +10,19 @@ namespace cirque {
 namespace {
 
 std::optional<MirrorSymmetry> SymmetryOf(const Surface& surface, double tolerance = 1e-9) {
-  return FindMirrorSymmetry(surface.triangulation, MeasureEdgeLengths(surface), tolerance);
+  return FindMirrorSymmetry(surface, RingsOf(surface), tolerance);
 }
 
-/// What makes it one: corners go to corners of faces turned round, twins to twins, and back.
+/// What makes it one, of triangles: halfedges go to those of faces turned round, twins to twins, and back.
 void ExpectMirrors(const Triangulation& t, const MirrorSymmetry& symmetry) {
   for (Index h = 0; h < t.num_halfedges(); ++h) {
-    const Index image = symmetry.corner[h];
-    EXPECT_EQ(symmetry.corner[image], h);
-    EXPECT_EQ(symmetry.corner[Triangulation::Next(h)], Triangulation::Prev(image));
+    const Index image = symmetry.halfedge[h];
+    EXPECT_EQ(symmetry.halfedge[image], h);
+    EXPECT_EQ(symmetry.halfedge[Triangulation::Next(h)], Triangulation::Prev(image));
     EXPECT_EQ(t.vertex[image], symmetry.vertex[t.vertex[h]]);
+    EXPECT_EQ(t.Tip(image), symmetry.vertex[t.Tail(h)]);
     const Index twin = t.twin[h];
-    EXPECT_EQ(t.twin[image], twin == kNone ? kNone : symmetry.corner[twin]);
+    EXPECT_EQ(t.twin[image], twin == kNone ? kNone : symmetry.halfedge[twin]);
   }
 }
 
@@ -57,8 +58,32 @@ TEST(FindMirrorSymmetry, AnAxisMayLeadThroughFaces) {
   ASSERT_TRUE(symmetry);
   ExpectMirrors(fan.triangulation, *symmetry);
   int across = 0;
-  for (Index h = 0; h < fan.triangulation.num_halfedges(); ++h) across += symmetry->corner[h] == h;
+  for (Index h = 0; h < fan.triangulation.num_halfedges(); ++h)
+    across += symmetry->halfedge[h] == h;
   EXPECT_EQ(across, 1);
+}
+
+/// Quads, each cut by one diagonal, which no mirror image has.
+TEST(FindMirrorSymmetry, DiagonalsOfPolygonsDoNotMatter) {
+  PolygonSoup soup;
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 4; ++i) soup.position.emplace_back(i, j, j * j * 0.2);
+  }
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      for (const int v : {4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4}) {
+        soup.corner.push_back(v);
+      }
+      soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+    }
+  }
+  const Surface grid = SurfaceOf(soup);
+  const auto symmetry = SymmetryOf(grid);
+  ASSERT_TRUE(symmetry);
+  for (Index v = 0; v < 12; ++v) {
+    const Eigen::Vector3d &x = grid.position[v], y = grid.position[symmetry->vertex[v]];
+    EXPECT_EQ(y, Eigen::Vector3d(3 - x.x(), x.y(), x.z()));
+  }
 }
 
 TEST(FindMirrorSymmetry, ATurnIsNoMirrorImage) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,11 +14,12 @@
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/mesh/mirror_symmetry.h"
 #include "cirque/mesh/preflight.h"
-#include "cirque/mesh/split_chords.h"
 #include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
 namespace {
+
+using Complex = std::complex<double>;
 
 constexpr double kTolerance = 1e-3;  ///< of the lengths of mirrored edges, relative
 
@@ -41,22 +43,20 @@ Status CheckRequest(const MapRequest& request) {
       "symmetric maps one half of the surface, and takes no {}; leave out one of both", what));
 }
 
-/// One half of a disk that is its own mirror image.
+/// A polygon whose corners are points: vertices of the surface, and behind them the middles of edges that
+/// lead across the axis.
+using Piece = std::vector<Index>;
+
+/// One half of a disk that is its own mirror image, polygons across the axis halved.
 class MirroredHalf {
  public:
-  MirroredHalf(const Surface& surface, MirrorSymmetry symmetry)
-      : surface_(surface), symmetry_(std::move(symmetry)), split_(SplitAcrossAxis()) {
-    const Triangulation& t = split_.triangulation;
-    on_axis_.assign(t.num_vertices, true);  // the middles of edges across it
-    for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
-      on_axis_[v] = symmetry_.vertex[v] == v;
-    }
-    Cut axis{std::vector<bool>(t.num_edges(), false)};
-    for (Index e = 0; e < t.num_edges(); ++e) {
-      const Index h = t.edge_halfedge[e];
-      axis.edge[e] = on_axis_[t.Tail(h)] && on_axis_[t.Tip(h)];
-    }
-    Take(ConnectedPatches(CutOpen(t, axis)));
+  MirroredHalf(const Surface& surface, const PolygonRings& rings, MirrorSymmetry symmetry)
+      : surface_(surface),
+        t_(surface.triangulation),
+        rings_(rings),
+        symmetry_(std::move(symmetry)) {
+    FindAxis();
+    Take(PiecesOfOneSide(CutPolygons()));
   }
 
   /// Errors: those of Preflight, for a half that is no surface.
@@ -68,34 +68,39 @@ class MirroredHalf {
   /// Free but along the axis, which is straight.
   ConeTargets TargetsOf(const Surface& half) const {
     ConeTargets targets = FreeBoundaryTargets(half.triangulation);
-    const std::vector<bool> rim = BoundaryVertices(split_.triangulation);
     for (Index v = 0; v < half.triangulation.num_vertices; ++v) {
-      const Index whole = vertex_[half.soup_vertex[v]];
-      if (on_axis_[whole] && !rim[whole]) targets.lower[v] = targets.upper[v] = kPi;
+      const Index point = point_[half.soup_vertex[v]];
+      if (on_axis_[point] && !on_rim_[point]) targets.lower[v] = targets.upper[v] = kPi;
     }
     return targets;
   }
 
   /// The places of the surface's corners: the half's, turned so that its axis is x = 0, and those of
   /// their mirror images.
-  std::vector<std::complex<double>> Places(const Surface& half, const CornerUv& uv) const {
-    std::vector<std::complex<double>> of_half(split_.triangulation.num_vertices);
-    std::vector<bool> has_place(of_half.size(), false);
-    for (Index h = 0; h < half.triangulation.num_halfedges(); ++h) {
-      const Index v = vertex_[half.soup_vertex[half.triangulation.vertex[h]]];
-      of_half[v] = {uv.value[h].x(), uv.value[h].y()};
-      has_place[v] = true;
+  std::vector<Complex> Places(const Surface& half, const CornerUv& uv) const {
+    const Triangulation& t = half.triangulation;
+    const auto point = [&](Index v) { return point_[half.soup_vertex[v]]; };
+    std::vector<Complex> of_half(on_axis_.size());
+    std::vector<bool> has_place(on_axis_.size(), false);
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      const Index p = point(t.vertex[h]);
+      of_half[p] = {uv.value[h].x(), uv.value[h].y()};
+      has_place[p] = true;
     }
-    const auto [begin, end] = EndsOfAxis();
-    const std::complex<double> origin = of_half[begin], along = of_half[end] - origin;
-    const std::complex<double> turn =
-        std::complex<double>(0, 1) * std::conj(along) / std::abs(along);
-    for (std::size_t v = 0; v < of_half.size(); ++v) {
-      of_half[v] = turn * (of_half[v] - origin);
-      if (on_axis_[v]) of_half[v].real(0);
+    // The half lies to the left of its boundary, which leaves the axis at its end.
+    Complex begin = 0, end = 0;
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      const Index tail = point(t.Tail(h)), tip = point(t.Tip(h));
+      if (t.twin[h] != kNone || on_axis_[tail] == on_axis_[tip]) continue;
+      (on_axis_[tail] ? end : begin) = of_half[on_axis_[tail] ? tail : tip];
     }
-    std::vector<std::complex<double>> place;
-    for (const Index v : surface_.triangulation.vertex) {
+    const Complex turn = Complex(0, 1) * std::conj(end - begin) / std::abs(end - begin);
+    for (std::size_t p = 0; p < of_half.size(); ++p) {
+      of_half[p] = turn * (of_half[p] - begin);
+      if (on_axis_[p]) of_half[p].real(0);
+    }
+    std::vector<Complex> place;
+    for (const Index v : t_.vertex) {
       place.push_back(has_place[v] ? of_half[v] : -std::conj(of_half[symmetry_.vertex[v]]));
     }
     return place;
@@ -103,65 +108,119 @@ class MirroredHalf {
 
   MirrorSummary Summary() const {
     MirrorSummary summary;
-    summary.on_axis = static_cast<Index>(
-        std::count(on_axis_.begin(), on_axis_.begin() + surface_.triangulation.num_vertices, true));
-    summary.across_axis = split_.triangulation.num_vertices - surface_.triangulation.num_vertices;
+    const auto end = on_axis_.begin() + t_.num_vertices;
+    summary.on_axis = static_cast<Index>(std::count(on_axis_.begin(), end, true));
+    summary.across_axis = static_cast<Index>(on_axis_.end() - end);
     summary.length_mismatch = symmetry_.length_mismatch;
     return summary;
   }
 
  private:
-  /// Edges that are their own image the other way round are halved, and the faces at them.
-  Surface SplitAcrossAxis() const {
-    const Triangulation& t = surface_.triangulation;
-    std::vector<bool> across(t.num_edges(), false);
-    bool any = false;
-    for (Index h = 0; h < t.num_halfedges(); ++h) {
-      if (symmetry_.corner[h] == h) any = across[t.edge[h]] = true;
+  /// Vertices that are their own image, and middles of edges that are theirs the other way round.
+  void FindAxis() {
+    on_rim_ = BoundaryVertices(t_);
+    for (Index v = 0; v < t_.num_vertices; ++v) on_axis_.push_back(symmetry_.vertex[v] == v);
+    middle_.assign(t_.num_edges(), kNone);
+    for (Index e = 0; e < t_.num_edges(); ++e) {
+      const Index h = t_.edge_halfedge[e];
+      if (symmetry_.halfedge[h] != h) continue;
+      middle_[e] = static_cast<Index>(on_axis_.size());
+      across_.push_back(e);
+      on_axis_.push_back(true);
+      on_rim_.push_back(t_.IsBoundaryEdge(e));
     }
-    return any ? SplitEdges(surface_, across) : surface_;
   }
 
-  /// The faces on the side of the first one.
-  void Take(const Patches& sides) {
-    const Triangulation& t = split_.triangulation;
-    std::vector<Index> number(t.num_vertices, kNone);
-    for (Index f = 0; f < t.num_faces(); ++f) {
-      if (sides.of_face[f] != 0) continue;
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index v = t.vertex[h];
-        if (number[v] == kNone) {
-          number[v] = static_cast<Index>(vertex_.size());
-          vertex_.push_back(v);
-          soup_.position.push_back(split_.position[v]);
+  Eigen::Vector3d PositionOf(Index point) const {
+    if (point < t_.num_vertices) return surface_.position[point];
+    const Index h = t_.edge_halfedge[across_[point - t_.num_vertices]];
+    return surface_.position[t_.Tail(h)] +
+           0.5 * (surface_.position[t_.Tip(h)] - surface_.position[t_.Tail(h)]);
+  }
+
+  /// Polygons, those that are their own image in two: at their two points on the axis.
+  std::vector<Piece> CutPolygons() const {
+    std::vector<Piece> pieces;
+    std::vector<bool> done(t_.num_halfedges(), false);
+    for (Index first = 0; first < t_.num_halfedges(); ++first) {
+      if (!rings_.HasEdge(first) || done[first]) continue;
+      Piece ring;
+      bool is_own_image = false;
+      Index h = first;
+      do {
+        done[h] = true;
+        is_own_image |= symmetry_.halfedge[h] == first;
+        ring.push_back(t_.Tail(h));
+        if (middle_[t_.edge[h]] != kNone) ring.push_back(middle_[t_.edge[h]]);
+        h = rings_.next[h];
+      } while (h != first);
+      is_own_image ? CutAlongAxis(std::move(ring), &pieces) : pieces.push_back(std::move(ring));
+    }
+    return pieces;
+  }
+
+  void CutAlongAxis(Piece ring, std::vector<Piece>* pieces) const {
+    const auto is_on_axis = [&](Index point) { return on_axis_[point]; };
+    std::rotate(ring.begin(), std::find_if(ring.begin(), ring.end(), is_on_axis), ring.end());
+    const auto second = std::find_if(ring.begin() + 1, ring.end(), is_on_axis);
+    pieces->emplace_back(ring.begin(), second == ring.end() ? second : second + 1);
+    if (second == ring.end()) return;
+    pieces->emplace_back(second, ring.end());
+    pieces->back().push_back(ring.front());
+  }
+
+  /// The pieces that lie on the first one's side: joined to it by other edges than the axis'.
+  std::vector<Piece> PiecesOfOneSide(const std::vector<Piece>& pieces) const {
+    std::map<std::pair<Index, Index>, std::size_t> of_side;
+    const auto for_each_side = [](const Piece& piece, const auto& visit) {
+      for (std::size_t k = 0; k < piece.size(); ++k) {
+        visit(piece[k], piece[(k + 1) % piece.size()]);
+      }
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for_each_side(pieces[i], [&](Index a, Index b) { of_side[{a, b}] = i; });
+    }
+    std::vector<bool> taken(pieces.size(), false);
+    std::vector<std::size_t> open = {0};
+    std::vector<Piece> side;
+    taken[0] = true;
+    while (!open.empty()) {
+      side.push_back(pieces[open.back()]);
+      open.pop_back();
+      for_each_side(side.back(), [&](Index a, Index b) {
+        const auto across = of_side.find({b, a});
+        if ((on_axis_[a] && on_axis_[b]) || across == of_side.end() || taken[across->second])
+          return;
+        taken[across->second] = true;
+        open.push_back(across->second);
+      });
+    }
+    return side;
+  }
+
+  void Take(const std::vector<Piece>& pieces) {
+    std::vector<Index> number(on_axis_.size(), kNone);
+    for (const Piece& piece : pieces) {
+      for (const Index point : piece) {
+        if (number[point] == kNone) {
+          number[point] = static_cast<Index>(point_.size());
+          point_.push_back(point);
+          soup_.position.push_back(PositionOf(point));
         }
-        soup_.corner.push_back(number[v]);
+        soup_.corner.push_back(number[point]);
       }
       soup_.first_corner.push_back(static_cast<Index>(soup_.corner.size()));
     }
   }
 
-  /// Where the axis meets the boundary, so that the half lies to the left of the way from one to the
-  /// other, which goes to x = 0 upwards.
-  std::pair<Index, Index> EndsOfAxis() const {
-    const Triangulation& t = split_.triangulation;
-    std::vector<bool> in_half(t.num_vertices, false);
-    for (const Index v : vertex_) in_half[v] = true;
-    Index begin = kNone, end = kNone;
-    for (Index h = 0; h < t.num_halfedges(); ++h) {
-      if (t.twin[h] != kNone || !in_half[t.Tail(h)] || !in_half[t.Tip(h)]) continue;
-      // The half's own boundary leaves the axis at its end, and comes back to its beginning.
-      if (on_axis_[t.Tail(h)]) end = t.Tail(h);
-      if (on_axis_[t.Tip(h)]) begin = t.Tip(h);
-    }
-    return {begin, end};
-  }
-
   const Surface& surface_;
+  const Triangulation& t_;
+  const PolygonRings& rings_;
   const MirrorSymmetry symmetry_;
-  const Surface split_;
-  std::vector<bool> on_axis_;  ///< of split_'s vertices
-  std::vector<Index> vertex_;  ///< of the soup's vertices: that of split_
+  std::vector<Index> middle_;           ///< per edge: its middle, where it leads across the axis
+  std::vector<Index> across_;           ///< those edges
+  std::vector<bool> on_axis_, on_rim_;  ///< of points
+  std::vector<Index> point_;            ///< of the soup's vertices
   PolygonSoup soup_;
 };
 
@@ -172,8 +231,8 @@ Status MapMirrored(const Surface& surface, const MapRequest& request, const Solv
   const Triangulation& t = surface.triangulation;
   if (Status s = CheckRequest(request); !s.ok()) return s;
   if (Status s = CheckIsDisk(t); !s.ok()) return s.In("symmetric");
-  std::optional<MirrorSymmetry> symmetry =
-      FindMirrorSymmetry(t, MeasureEdgeLengths(surface), kTolerance);
+  const PolygonRings rings = RingsOf(surface);
+  std::optional<MirrorSymmetry> symmetry = FindMirrorSymmetry(surface, rings, kTolerance);
   if (!symmetry) {
     return Status::InvalidInput(fmt::format(
         "symmetric: no mirror image of the mesh is the mesh itself, edges of equal "
@@ -181,7 +240,7 @@ Status MapMirrored(const Surface& surface, const MapRequest& request, const Solv
         "halves alike",
         kTolerance));
   }
-  const MirroredHalf halved(surface, *std::move(symmetry));
+  const MirroredHalf halved(surface, rings, *std::move(symmetry));
   const StatusOr<Surface> half = halved.MakeSurface();
   if (!half.ok()) return half.status().In("symmetric: the half");
   Status status =
