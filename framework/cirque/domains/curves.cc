@@ -11,7 +11,7 @@ namespace cirque {
 namespace {
 
 constexpr char kEllipse[] = "ellipse";
-constexpr int kPoints = 1440;  ///< of an ellipse: four a degree
+constexpr int kPoints = 28800;  ///< of an ellipse: fine beside the edges of a boundary
 
 struct EllipseOptions {
   double ratio = 2;

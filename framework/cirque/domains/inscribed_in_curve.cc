@@ -119,11 +119,10 @@ VectorXd InscribedPolygons::Missing(const VectorXd& shape, const VectorXd& lengt
   return LogShares(lengths) - LogShares(sides);
 }
 
-int InscribedPolygons::MeetCorners(std::vector<double>* arcs) const {
+std::vector<bool> InscribedPolygons::MeetCorners(std::vector<double>* arcs) const {
   const std::size_t n = arcs->size();
   std::vector<bool> met(n, false);
-  met[0] = true;
-  int count = std::abs(curve_.TurningAt(0)) >= kCorner ? 1 : 0;
+  met[0] = std::abs(curve_.TurningAt(0)) >= kCorner;
   for (std::size_t point = 1; point < curve_.points().size(); ++point) {
     if (std::abs(curve_.TurningAt(point)) < kCorner) continue;
     const double arc = curve_.arcs()[point];
@@ -131,10 +130,10 @@ int InscribedPolygons::MeetCorners(std::vector<double>* arcs) const {
     const auto after = static_cast<std::size_t>(above - arcs->begin());
     const double next = after < n ? (*arcs)[after] : curve_.length();
     const std::size_t nearest = next - arc < arc - (*arcs)[after - 1] ? after % n : after - 1;
-    if (met[nearest]) continue;
-    met[nearest] = true, (*arcs)[nearest] = arc, ++count;
+    if (nearest == 0 || met[nearest]) continue;
+    met[nearest] = true, (*arcs)[nearest] = arc;
   }
-  return count;
+  return met;
 }
 
 int NearestStart(const ClosedCurve& curve, const VectorXd& lengths, const VectorXd& angles) {

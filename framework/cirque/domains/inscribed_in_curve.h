@@ -29,8 +29,8 @@ class InscribedPolygons {
   Eigen::VectorXd Missing(const Eigen::VectorXd& shape, const Eigen::VectorXd& lengths) const;
 
   /// Moves the corner nearest to each of the curve's own corners there, of which none turns by less
-  /// than pi/6, unless it is another one's already. Returns how many have one. The first stays.
-  int MeetCorners(std::vector<double>* arcs) const;
+  /// than pi/6, unless it is another one's already; the first stays. Returns which lie at one.
+  std::vector<bool> MeetCorners(std::vector<double>* arcs) const;
 
  private:
   const ClosedCurve& curve_;
