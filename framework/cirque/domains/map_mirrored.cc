@@ -12,8 +12,10 @@
 #include "cirque/cones/boundaries.h"
 #include "cirque/domains/corner_places.h"
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/mirror_symmetry.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
@@ -24,7 +26,9 @@ using Complex = std::complex<double>;
 constexpr double kTolerance = 1e-3;  ///< of the lengths of mirrored edges, relative
 
 constexpr char kFlipped[] =
-    "the two halves of the map exist, but doubles do not hold them side by side";
+    "both halves of the map exist, but put together triangles are flipped: of polygons (filled "
+    "holes "
+    "too) that are cut into triangles otherwise than their mirror images, or by rounding";
 
 Status CheckRequest(const MapRequest& request) {
   const ParameterizeOptions& options = request.options;
@@ -69,35 +73,52 @@ class MirroredHalf {
   ConeTargets TargetsOf(const Surface& half) const {
     ConeTargets targets = FreeBoundaryTargets(half.triangulation);
     for (Index v = 0; v < half.triangulation.num_vertices; ++v) {
-      const Index point = point_[half.soup_vertex[v]];
-      if (on_axis_[point] && !on_rim_[point]) targets.lower[v] = targets.upper[v] = kPi;
+      if (IsOnAxis(half, v) && !on_rim_[PointOf(half, v)])
+        targets.lower[v] = targets.upper[v] = kPi;
     }
     return targets;
   }
 
-  /// The places of the surface's corners: the half's, turned so that its axis is x = 0, and those of
-  /// their mirror images.
-  std::vector<Complex> Places(const Surface& half, const CornerUv& uv) const {
+  /// Turns a map of the half so that its axis is x = 0, exactly, and the half at x < 0.
+  void PutUpright(const Surface& half, CornerUv* uv) const {
     const Triangulation& t = half.triangulation;
-    const auto point = [&](Index v) { return point_[half.soup_vertex[v]]; };
-    std::vector<Complex> of_half(on_axis_.size());
-    std::vector<bool> has_place(on_axis_.size(), false);
-    for (Index h = 0; h < t.num_halfedges(); ++h) {
-      const Index p = point(t.vertex[h]);
-      of_half[p] = {uv.value[h].x(), uv.value[h].y()};
-      has_place[p] = true;
-    }
     // The half lies to the left of its boundary, which leaves the axis at its end.
     Complex begin = 0, end = 0;
     for (Index h = 0; h < t.num_halfedges(); ++h) {
-      const Index tail = point(t.Tail(h)), tip = point(t.Tip(h));
-      if (t.twin[h] != kNone || on_axis_[tail] == on_axis_[tip]) continue;
-      (on_axis_[tail] ? end : begin) = of_half[on_axis_[tail] ? tail : tip];
+      const bool from_axis = IsOnAxis(half, t.Tail(h));
+      if (t.twin[h] != kNone || from_axis == IsOnAxis(half, t.Tip(h))) continue;
+      const Eigen::Vector2d& p = uv->value[from_axis ? t.Next(h) : t.Prev(h)];
+      (from_axis ? end : begin) = {p.x(), p.y()};
     }
     const Complex turn = Complex(0, 1) * std::conj(end - begin) / std::abs(end - begin);
-    for (std::size_t p = 0; p < of_half.size(); ++p) {
-      of_half[p] = turn * (of_half[p] - begin);
-      if (on_axis_[p]) of_half[p].real(0);
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      const Complex z = turn * (Complex(uv->value[h].x(), uv->value[h].y()) - begin);
+      uv->value[h] = {IsOnAxis(half, t.vertex[h]) ? 0 : z.real(), z.imag()};
+    }
+  }
+
+  /// The axis: its vertices slide along it but where it meets the boundary, where they stay.
+  KeptVertices Kept(const Surface& half) const {
+    KeptVertices kept;
+    const Index n = half.triangulation.num_vertices;
+    kept.sliding.direction.assign(n, Complex(0, 1));
+    for (Index v = 0; v < n; ++v) {
+      const bool at_end = on_rim_[PointOf(half, v)];
+      kept.held.push_back(IsOnAxis(half, v) && at_end);
+      kept.sliding.slides.push_back(IsOnAxis(half, v) && !at_end);
+    }
+    return kept;
+  }
+
+  /// The places of the surface's corners: those of the half and of their mirror images.
+  std::vector<Complex> Places(const Surface& half, const CornerUv& uv) const {
+    const Triangulation& t = half.triangulation;
+    std::vector<Complex> of_half(on_axis_.size());
+    std::vector<bool> has_place(on_axis_.size(), false);
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      const Index p = PointOf(half, t.vertex[h]);
+      of_half[p] = {uv.value[h].x(), uv.value[h].y()};
+      has_place[p] = true;
     }
     std::vector<Complex> place;
     for (const Index v : t_.vertex) {
@@ -116,6 +137,10 @@ class MirroredHalf {
   }
 
  private:
+  Index PointOf(const Surface& half, Index v) const { return point_[half.soup_vertex[v]]; }
+
+  bool IsOnAxis(const Surface& half, Index v) const { return on_axis_[PointOf(half, v)]; }
+
   /// Vertices that are their own image, and middles of edges that are theirs the other way round.
   void FindAxis() {
     on_rim_ = BoundaryVertices(t_);
@@ -243,8 +268,9 @@ Status MapMirrored(const Surface& surface, const MapRequest& request, const Solv
   const MirroredHalf halved(surface, rings, *std::move(symmetry));
   const StatusOr<Surface> half = halved.MakeSurface();
   if (!half.ok()) return half.status().In("symmetric: the half");
-  Status status =
-      Parameterize(*half, {request.options, halved.TargetsOf(*half), {}, {}}, control, map);
+  ParameterizeOptions options = request.options;
+  options.refine_map = "none";
+  Status status = Parameterize(*half, {options, halved.TargetsOf(*half), {}, {}}, control, map);
   map->certificate.mirror = halved.Summary();
   if (!status.ok()) {
     map->certificate.infeasibility = {};
@@ -253,7 +279,16 @@ Status MapMirrored(const Surface& surface, const MapRequest& request, const Solv
     return Status(infeasible ? StatusCode::kNotConverged : status.code(), status.message())
         .In("symmetric: the half");
   }
-  const auto places = halved.Places(*half, map->uv);
+  halved.PutUpright(*half, &map->uv);
+  control.BeginStage("refinement");
+  const EdgeLengths lengths = MeasureEdgeLengths(*half);
+  if (FlippedFaces(half->triangulation, map->uv).empty()) {
+    status = RefineHeldMap(MeasureSurface(half->triangulation, lengths), halved.Kept(*half),
+                           request.options.refine_map, control.cancelled, &map->uv,
+                           &map->certificate.map_refinement);
+    if (!status.ok()) return status;
+  }
+  const std::vector<Complex> places = halved.Places(*half, map->uv);
   map->flat = {};
   map->targets = FreeBoundaryTargets(t);
   ForgetCut(t, map);
