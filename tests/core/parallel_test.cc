@@ -10,6 +10,8 @@
 namespace cirque {
 namespace {
 
+constexpr std::size_t kMany = kParallelBlock + 1;  ///< elements, worth a thread
+
 TEST(Parallel, EveryIndexOnceInItsBlock) {
   for (const int n : {0, 1, kParallelBlock, kParallelBlock + 1, 5 * kParallelBlock + 7}) {
     std::vector<int> visits(n, 0), block_of(n, -1);
@@ -37,7 +39,7 @@ TEST(Parallel, AQueueBeginsInOrderAndItsPiecesHaveLoopsOfTheirOwn) {
     ParallelQueue(50, [&](int i) {
       ++visits[i];
       if (threads == 1) order.push_back(i);
-      BackgroundTask aside([&sum] { ++sum; });
+      BackgroundTask aside(kMany, [&sum] { ++sum; });
       ParallelFor(3 * kParallelBlock, [&](int) { ++sum; });
       aside.Wait();
     });
@@ -50,7 +52,7 @@ TEST(Parallel, AQueueBeginsInOrderAndItsPiecesHaveLoopsOfTheirOwn) {
 TEST(Parallel, LoopsWaitForTheirOwnWorkAlone) {
   const ThreadLimit one(1);
   std::atomic<int> done = 0;
-  BackgroundTask task([&done] { done = 1; });
+  BackgroundTask task(kMany, [&done] { done = 1; });
   std::atomic<int> sum = 0;
   ParallelFor(20 * kParallelBlock, [&](int) { ++sum; });
   ParallelTasks(20, [&](int) { ++sum; });
@@ -74,14 +76,23 @@ TEST(Parallel, BackgroundTasksAreDoneAfterTheWaitWhateverTheThreads) {
   for (const int threads : {0, 1}) {
     const ThreadLimit limit(threads);
     std::atomic<int> done = 0;
-    BackgroundTask task([&done] { done = 1; });
+    BackgroundTask task(kMany, [&done] { done = 1; });
     task.Wait();
     EXPECT_EQ(done, 1);
     {
-      const BackgroundTask never_waited_for([&done] { done = 2; });
+      const BackgroundTask never_waited_for(kMany, [&done] { done = 2; });
     }
     EXPECT_EQ(done, 2);
   }
+}
+
+TEST(Parallel, SmallBackgroundTasksAreDoneAtOnce) {
+  const ThreadLimit one(1);
+  int done = 0;
+  BackgroundTask task(kParallelBlock, [&done] { ++done; });
+  EXPECT_EQ(done, 1);
+  task.Wait();
+  EXPECT_EQ(done, 1);
 }
 
 TEST(Parallel, SortsByValueThenIndex) {

@@ -69,12 +69,19 @@ struct BackgroundTask::Group {
   tbb::task_group tasks;
 };
 
-BackgroundTask::BackgroundTask(std::function<void()> work) : group_(std::make_unique<Group>()) {
+BackgroundTask::BackgroundTask(std::size_t elements, std::function<void()> work) {
+  if (elements <= kParallelBlock) {
+    work();
+    return;
+  }
+  group_ = std::make_unique<Group>();
   group_->tasks.run(std::move(work));
 }
 
 BackgroundTask::~BackgroundTask() { Wait(); }
 
-void BackgroundTask::Wait() { group_->tasks.wait(); }
+void BackgroundTask::Wait() {
+  if (group_) group_->tasks.wait();
+}
 
 }  // namespace cirque

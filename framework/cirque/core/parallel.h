@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -62,10 +63,11 @@ void ParallelQueue(int n, const std::function<void(int)>& body);
 void ParallelSort(std::vector<std::pair<double, int>>* keys);
 
 /// Work that goes on beside the caller's from construction to Wait(); with one thread it is done by
-/// Wait().
+/// Wait(), and at once where it is about no more elements than a block has: a thread would take longer to
+/// begin.
 class BackgroundTask {
  public:
-  explicit BackgroundTask(std::function<void()> work);
+  BackgroundTask(std::size_t elements, std::function<void()> work);
   ~BackgroundTask();
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
@@ -74,7 +76,7 @@ class BackgroundTask {
 
  private:
   struct Group;
-  std::unique_ptr<Group> group_;
+  std::unique_ptr<Group> group_;  ///< null: done
 };
 
 }  // namespace cirque

@@ -88,14 +88,19 @@ struct BackgroundTask::Group {
   std::thread thread;
 };
 
-BackgroundTask::BackgroundTask(std::function<void()> work)
-    : group_(std::make_unique<Group>(Group{std::move(work), {}})) {
+BackgroundTask::BackgroundTask(std::size_t elements, std::function<void()> work) {
+  if (elements <= kParallelBlock) {
+    work();
+    return;
+  }
+  group_ = std::make_unique<Group>(Group{std::move(work), {}});
   if (NumThreads() > 1) group_->thread = std::thread(group_->work);
 }
 
 BackgroundTask::~BackgroundTask() { Wait(); }
 
 void BackgroundTask::Wait() {
+  if (!group_) return;
   if (group_->thread.joinable()) {
     group_->thread.join();
   } else if (group_->work) {

@@ -232,11 +232,17 @@ TextPieces WriteStretches(const std::vector<Stretch>& stretches, const PolygonSo
   }
   CHECK_EQ(static_cast<std::size_t>(first_corner.back()), textured.corner_texture.size());
   TextPieces pieces(stretches.size());
-  ParallelTasks(static_cast<int>(stretches.size()), [&](int i) {
+  const auto write = [&](int i) {
     TextWriter out;
     LineWriter(textured, first_corner[i], &out).Write(stretches[i]);
     pieces[i] = std::move(out).Take();
-  });
+  };
+  const auto count = static_cast<int>(stretches.size());
+  if (first_corner.back() > kParallelBlock) {
+    ParallelTasks(count, write);
+  } else {
+    for (int i = 0; i < count; ++i) write(i);  // threads would take longer to begin
+  }
   return pieces;
 }
 

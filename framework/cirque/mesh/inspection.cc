@@ -1,7 +1,6 @@
 #include "cirque/mesh/inspection.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include <glog/logging.h>
@@ -116,16 +115,10 @@ Inspected Inspect(const PolygonSoup& soup, PreflightReport* report) {
   report->num_vertices = static_cast<Index>(soup.position.size());
   report->num_polygons = soup.num_polygons();
   Inspected inspected;
-  const auto inspect = [&] {
+  BackgroundTask inspection(soup.num_polygons(), [&] {
     InspectVertices(soup, report);
     inspected.components = CollectComponents(soup);
-  };
-  std::optional<BackgroundTask> inspection;
-  if (soup.num_polygons() > kParallelBlock) {
-    inspection.emplace(inspect);
-  } else {
-    inspect();  // a thread would take longer to begin
-  }
+  });
   Assembly& assembly = inspected.assembly;
   BadFaces bad;
   assembly.triangles = SplitIntoTriangles(soup, &bad);
@@ -134,7 +127,7 @@ Inspected Inspect(const PolygonSoup& soup, PreflightReport* report) {
   assembly.gluing =
       GlueEdges(assembly.triangles.vertex, report->num_vertices, assembly.triangles.mate);
   assembly.orientation = OrientTriangles(assembly.triangles.vertex, assembly.gluing);
-  inspection.reset();  // waits
+  inspection.Wait();
   report->components = static_cast<Index>(inspected.components.size());
   InspectConnectivity(soup, assembly, report);
   return inspected;

@@ -55,17 +55,11 @@ Status CheckStrictlyCoherent(const Triangulation& t, const CoherentAngles& angle
 }  // namespace
 
 RadiiSystem::RadiiSystem(const Triangulation& t, const SolverStrategy& strategy)
-    : solver_(strategy.MakeSystemSolver(t.num_faces())) {
-  const auto analyse = [this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); };
-  if (t.num_faces() > kParallelBlock) {
-    analysis_.emplace(analyse);
-  } else {
-    analyse();
-  }
-}
+    : solver_(strategy.MakeSystemSolver(t.num_faces())),
+      analysis_(t.num_faces(), [this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); }) {}
 
 SystemSolver* RadiiSystem::Get() {
-  if (analysis_) analysis_->Wait();
+  analysis_.Wait();
   return solver_.get();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include <Eigen/Core>
 
@@ -42,7 +41,7 @@ class RadiiSystem {
 
  private:
   std::unique_ptr<SystemSolver> solver_;
-  std::optional<BackgroundTask> analysis_;  // none where a thread would take longer to begin
+  BackgroundTask analysis_;
 };
 
 /// Minimises the circle-pattern energy of the coherent angles from MaximizePatternVolume's start

@@ -19,7 +19,7 @@ constexpr double kUnsure = 3;      ///< what is expected may be far less than wh
 
 void LargeBuffer::ReserveAhead(std::size_t count) {
   if (data_ || !Allocate(kUnsure * static_cast<double>(count))) return;
-  touching_ = std::make_unique<BackgroundTask>([this, count] {
+  touching_ = std::make_unique<BackgroundTask>(count, [this, count] {
     for (; touched_ < count; touched_ += kTouch) data_.get()[touched_] = 0;
   });
 }
