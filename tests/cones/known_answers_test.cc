@@ -225,10 +225,10 @@ TEST(L1Cones, SolutionIsOptimal) {
 }
 
 /// sqrt(u' M u) for what the fit holds.
-void ExpectFormAgrees(const ConeFit& fit, const ConeMeasure& measure) {
-  const Eigen::VectorXd u = fit.LogScale();
-  EXPECT_NEAR(fit.Distortion(), std::sqrt(u.dot(measure.Apply(u))), 1e-9);
-  EXPECT_NEAR(fit.Measure(), measure.Value(u), 1e-9);
+void ExpectFormAgrees(const ConeMeasure& measure, ConeFit* fit) {
+  const Eigen::VectorXd u = fit->LogScale();
+  EXPECT_NEAR(fit->Distortion(), std::sqrt(u.dot(measure.Apply(u))), 1e-9);
+  EXPECT_NEAR(fit->Measure(), measure.Value(u), 1e-9);
 }
 
 void ExpectFitIsOptimal(ConeMeasureKind kind) {
@@ -246,7 +246,7 @@ void ExpectFitIsOptimal(ConeMeasureKind kind) {
   ASSERT_TRUE(fit.FitLeastSquares());
   EXPECT_NEAR(fit.curvature().sum(), problem.TotalCurvature(), 1e-10);
   EXPECT_LE(fit.Measure(), start + 1e-12);
-  ExpectFormAgrees(fit, *measure);
+  ExpectFormAgrees(*measure, &fit);
   const Eigen::VectorXd slope = fit.Descent()(fit.vertices());
   for (int i = 0; i < fit.size(); ++i) {
     const bool free = fit.curvature()[i] < problem.GreatestCurvature() - 1e-9 &&
@@ -266,7 +266,27 @@ void ExpectFitIsOptimal(ConeMeasureKind kind) {
   fit.Move(2, 400);
   fit.UndoMove();
   EXPECT_EQ(fit.vertices()[2], 120);
-  ExpectFormAgrees(fit, *measure);
+  ExpectFormAgrees(*measure, &fit);
+}
+
+/// Products of many cones are made together, and their log scale by one solve.
+TEST(ConeFit, ManyConesAddUpAsFewDo) {
+  const Surface surface = GeneratedSurface("blob", 800);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const ConeProblem problem(surface.triangulation, lengths);
+  const AreaMeasure measure(problem);
+  ConeFit fit(problem);
+  for (Index v = 0; v < 100; ++v) fit.Add(4 * v);
+  fit.FitZeroAtCones();
+  ExpectFormAgrees(measure, &fit);
+  EXPECT_LT((fit.Gram() - fit.Gram().transpose()).norm(), 1e-15 * fit.Gram().norm());
+  const double zero_at_cones = fit.Distortion();
+  ASSERT_TRUE(fit.FitLeastSquares());
+  ExpectFormAgrees(measure, &fit);
+  EXPECT_LE(fit.Distortion(), zero_at_cones);
+  fit.Move(80, 2);
+  fit.UndoMove();
+  ExpectFormAgrees(measure, &fit);
 }
 
 TEST(ConeFit, LeastSquaresIsOptimalAndZeroAtConesIsZero) {

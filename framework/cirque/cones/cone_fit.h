@@ -14,8 +14,9 @@ namespace cirque {
 
 /// Cones at chosen vertices of a problem and what its linear model says of their curvatures:
 ///   u = u_0 + sum_c mu_c g_c,
-/// u_0 the log scale without cones and g_c the response to a unit of curvature at c. A cone costs one solve with the problem's factor, whatever is done with its
-/// curvature after.
+/// u_0 the log scale without cones and g_c the response to a unit of curvature at c. A cone costs one
+/// solve with the problem's factor, whatever is done with its curvature after; the products g_c' M g_d are
+/// made when they are asked for, of many cones together.
 class ConeFit {
  public:
   /// `measure` is what the fits lower; null: area distortion.
@@ -26,7 +27,7 @@ class ConeFit {
   const Eigen::VectorXd& curvature() const { return curvature_; }  ///< of each cone [rad]
   /// g_c' M g_d: the Hessian of the measure's form 1/2 u' M u by the curvatures; of area distortion
   /// sum_v a_v g_c g_d.
-  const Eigen::MatrixXd& gram() const { return gram_; }
+  const Eigen::MatrixXd& Gram();
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
   void Add(Index vertex);
@@ -44,14 +45,14 @@ class ConeFit {
 
   /// The curvatures that make u one constant at all cones (0 with a boundary): every cone keeps its
   /// scale, as when a map is made by cutting through the cones (R. Sawhney, K. Crane, "Boundary
-  /// first flattening", 2017). They need not be admissible.
+  /// first flattening", 2017). They need not be admissible. O(n^2) for n cones of which the last is new.
   void FitZeroAtCones();
 
-  /// u, V.
+  /// u, V: the sum above, of many cones by one solve.
   Eigen::VectorXd LogScale() const;
 
   /// sqrt(u' M u), without making u; of area distortion sqrt(sum_v a_v u_v^2).
-  double Distortion() const;
+  double Distortion();
 
   /// The derivative of 1/2 u' M u by the curvature of every vertex, up to one constant on a closed
   /// surface: the factor's answer to M u. Where it differs from its value at the cones, a cone
@@ -68,15 +69,22 @@ class ConeFit {
   std::vector<Cone> Cones() const;
 
  private:
-  CurvatureProgram Program() const;
+  CurvatureProgram Program();
   bool Fit(const CurvatureProgram& program);
   void SetResponse(int i, Index vertex);
-  void SetProducts(int i);
+  void MakeProducts();
+  void ForgetValuesFrom(int i);
+  bool FactorValuesAtCones();
+  double ValueAtCone(Eigen::Index of, Eigen::Index at) const;
+  bool FitZeroByFactor();
+  void FitZeroByElimination();
 
   struct MoveRecord {
     int cone = 0;
     Index vertex = kNone;
     Eigen::VectorXd response, curvature;
+    Eigen::VectorXd gram;  ///< of the cone with all
+    double linear = 0;
   };
 
   const ConeProblem& problem_;
@@ -87,6 +95,11 @@ class ConeFit {
   std::vector<Eigen::VectorXd> response_;
   Eigen::MatrixXd gram_;    ///< products of the responses by M
   Eigen::VectorXd linear_;  ///< of the responses with u_0
+  /// L L' = the responses' values at the cones, of a closed surface those of moving curvature there from
+  /// the first: its rows for the cones that were there at the last call of FitZeroAtCones.
+  Eigen::MatrixXd values_factor_;
+  int values_factored_ = 0;            ///< rows
+  std::vector<int> without_products_;  ///< cones whose rows of both are still to be made
   Eigen::VectorXd curvature_;
   MoveRecord last_move_;
 };

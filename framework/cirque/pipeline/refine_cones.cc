@@ -103,7 +103,7 @@ class Refinement {
   Eigen::MatrixXd LinearModelHessian() const {
     ConeFit fit(problem_);
     for (const Index v : vertices_) fit.Add(v);
-    return 4 * fit.gram();
+    return 4 * fit.Gram();
   }
 
   Eigen::VectorXd Gradient() const {
