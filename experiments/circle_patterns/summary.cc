@@ -75,6 +75,10 @@ std::string ConeLines(const Certificate& c) {
                         c.layout->cut_length.value_or(0), c.seams->seam_rotation_mismatch,
                         c.seams->seam_gap);
   }
+  if (text.empty() && c.layout && c.layout->cut_length.value_or(0) > 0) {
+    text += fmt::format("cut         {}, length {:.2f}\n",
+                        Count(c.layout->patches.value_or(1), "chart"), *c.layout->cut_length);
+  }
   if (c.holonomy && c.rotations) {
     text += fmt::format(
         "rotations   {} along loops, to {:.1e} rad what was asked for; {:.1e} rad were left to the "
@@ -221,9 +225,10 @@ std::string SeveralSummary(const Certificate& c) {
     text += ComponentLine(part);
     ++listed;
   }
+  const double area_used = c.layout ? c.layout->area_used.value_or(kUnset) : kUnset;
   text += fmt::format("components  {} mapped, {} without a map, {} on {:.0f} % of the square\n",
                       static_cast<int>(components.size()) - failed, failed,
-                      Count(c.atlas->atlas_patches, "patch"), 100 * c.atlas->area_used);
+                      Count(c.atlas->atlas_patches, "patch"), 100 * area_used);
   return text + MapLine(c) + ExactLine(c) + ConeLines(c) + RangeLine(c);
 }
 

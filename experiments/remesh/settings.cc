@@ -11,8 +11,9 @@ namespace {
 constexpr char kProgram[] = "remesh";
 
 const std::set<std::string>& OfLayouts() {
-  static const std::set<std::string> kNames = {"layout",     "seams",     "cut_cost", "edge_costs",
-                                               "refine_map", "injective", "solve_at"};
+  static const std::set<std::string> kNames = {"layout",     "seams",       "cut_cost",
+                                               "edge_costs", "refine_map",  "injective",
+                                               "solve_at",   "least_charts"};
   return kNames;
 }
 

@@ -19,6 +19,7 @@
 ///   Energy, Energies         the energies, and one's own         energy/energy.h, energy/registry.h
 ///   CirclePatternEnergy      that of circle patterns             energy/circle_pattern_energy.h
 ///   ConeHeuristics           where cones lie, and one's own      cones/registry.h
+///   CutHeuristics            where it is opened, and one's own   cuts/registry.h
 ///   AngleObjective           what angles are fitted by           energy/angle_objective.h
 ///   SolverStrategies         what minimises them                 solver/solver_strategy.h
 ///   AuditEnergy              what judges them                    audit/audit_energy.h
@@ -29,6 +30,7 @@
 #include "cirque/audit/audit_energy.h"
 #include "cirque/cones/registry.h"
 #include "cirque/core/version.h"
+#include "cirque/cuts/registry.h"
 #include "cirque/domains/domain.h"
 #include "cirque/domains/map_arrays.h"
 #include "cirque/domains/map_options.h"

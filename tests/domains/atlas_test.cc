@@ -38,19 +38,19 @@ struct TwoStrips {
     }
   }
 
-  AtlasSummary Arrange(const UvFrame& frame) {
+  ArrangedAtlas Arrange(const UvFrame& frame) {
     return ArrangeAtlas(frame, {{small, none, &small_uv}, {large, none, &large_uv}});
   }
 };
 
 TEST(ArrangeAtlas, TrueLengthKeepsEverySurfacesArea) {
   TwoStrips strips;
-  const AtlasSummary summary = strips.Arrange({});
+  const ArrangedAtlas atlas = strips.Arrange({});
   EXPECT_NEAR(AreaOf(strips.small_uv), 4, 1e-12);
   EXPECT_NEAR(AreaOf(strips.large_uv), 24, 1e-12);
-  EXPECT_EQ(summary.atlas_patches, 2);
-  EXPECT_GT(summary.area_used, 0.5);
-  EXPECT_LT(summary.area_used, 1);
+  EXPECT_EQ(atlas.patches, 2);
+  EXPECT_GT(atlas.area_used, 0.5);
+  EXPECT_LT(atlas.area_used, 1);
 }
 
 TEST(ArrangeAtlas, ScalesAndUnitSquareAndEachInOneSize) {

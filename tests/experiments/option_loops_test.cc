@@ -34,6 +34,7 @@ std::string OtherValue(const OptionInfo& option) {
   if (option.name == "cones") return "greedy:target=0.5";
   if (option.name == "cone_angles") return "ranges:width=0.25";
   if (option.name == "refine_map") return "mips:steps=3";
+  if (option.name == "cut_cost") return "visibility:directions=32";
   if (option.name == "boundary") return "least_area:share=0.5";
   return "some_text";
 }

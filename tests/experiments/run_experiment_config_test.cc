@@ -68,8 +68,8 @@ const std::vector<BadConfig>& BadConfigs() {
        "angle_objective, angle_solver, "
        "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, integer_cells, boundary, "
        "refine_cones, "
-       "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
-       "max_iterations"},
+       "injective, refine_map, seams, cut_cost, edge_costs, least_charts, epsilon, solve_at, "
+       "exact_limit, max_iterations"},
       {"Duplicate", Config(kMesh, kMethod, "repeats: 1\nrepeats: 2\n"),
        ":7:1: 'repeats' is given twice (first on line 6): remove one"},
       {"DuplicateInEntry", Config("{generator: bumpy_terrain, seed: 1, seed: 2}", kMethod),
@@ -240,8 +240,8 @@ TEST(RunExperimentConfig, ReportsAllProblemsInOrderWithSourceLineAndCaret) {
           "radii_solver, layout, cones, cone_budget, cone_angles, holonomy, integer_cells, "
           "boundary, "
           "refine_cones, "
-          "injective, refine_map, seams, cut_cost, edge_costs, epsilon, solve_at, exact_limit, "
-          "max_iterations, strict\n    "
+          "injective, refine_map, seams, cut_cost, edge_costs, least_charts, epsilon, solve_at, "
+          "exact_limit, max_iterations, strict\n    "
           "- nam: a\n      "
           "^\n" +  //
           path +

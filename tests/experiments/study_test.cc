@@ -172,6 +172,37 @@ TEST_F(StudyTest, LeversAreComparedWithTheIsometricBoundary) {
                               "0.1) | 1 (1 to 1) | 2.000 | 2.000 | 0 | 2 (2 to 2) |"));
 }
 
+TEST_F(StudyTest, CutsAreComparedWithThoseShortInTheImage) {
+  std::vector<nlohmann::json> records;
+  const auto add = [&](const char* name, const nlohmann::json& options, double length,
+                       double visible, double qc, double used) {
+    nlohmann::json record = ReportRecord("a", name, 1);
+    record["method"].update(options);
+    record["values"].update({{"cut_length", length},
+                             {"visible_cut_length", visible},
+                             {"quasi_conformal_mean", qc},
+                             {"log_scale_l2", qc - 1},
+                             {"patches", 1},
+                             {"area_used", used}});
+    record["cpu_seconds"] = 2;
+    records.push_back(record);
+  };
+  add("rigid,cut_cost=flat_length", {{"cut_cost", "flat_length"}}, 2, 1, 1.5, 0.4);
+  add("rigid,cut_cost=visibility", {{"cut_cost", "visibility"}}, 3, 0.25, 1.5, 0.3);
+  add("free,cut_cost=length", {{"cut_cost", "length"}, {"seams", "free"}}, 1, 0.5, 1.2, 0.5);
+  add("towards,cone_budget=8", {{"cut_cost", "length"}, {"cone_budget", 8}}, 4, 2, 1.1, 0.2);
+  add("charts,least_charts=4", {{"cut_cost", "length"}, {"least_charts", 4}}, 5, 3, 1.05, 0.6);
+  const std::string page = Page("cuts", records);
+  EXPECT_THAT(page, HasSubstr("`rigid, visibility` is seen least, 0.25 of the visible length for "
+                              "1.50 times the length"));
+  EXPECT_THAT(page, HasSubstr("`free, towards 8 cones` leaves least area distortion (0.20 of"));
+  EXPECT_THAT(page, HasSubstr("`4 charts` has the least mean quasi-conformal distortion (0.700), "
+                              "and `4 charts` fills most of its square (1.50 times the area)"));
+  EXPECT_THAT(page,
+              HasSubstr("| `free, length` | 1 of 1 | 1 to 1 | 0.5 (0.5 to 0.5) | 0.5 (0.5 to "
+                        "0.5) | 0.8 (0.8 to 0.8) | 0.4 (0.4 to 0.4) | 1.25 (1.25 to 1.25) |"));
+}
+
 TEST_F(StudyTest, BadRecordsAreRefusedAndNothingIsWritten) {
   ProgramResult refused = Study("scaling");
   EXPECT_EQ(refused.exit_status, 2);

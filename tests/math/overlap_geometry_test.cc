@@ -88,35 +88,5 @@ TEST(CutByTriangle, OfKnownPieces) {
   EXPECT_TRUE(CutByTriangle(square, {{{5, 5}, {6, 5}, {5, 6}}}, &outside).empty());
 }
 
-TEST(BoxTree, FindsWhatATrialOfAllFinds) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> coordinate(0, 1), exponent(-6, 0);
-  for (const int count : {0, 1, 7, 8, 9, 500}) {
-    std::vector<AlignedBox2d> boxes;
-    for (int i = 0; i < count; ++i) {
-      const Vector2d corner(coordinate(random), coordinate(random));
-      const double size = std::pow(10, exponent(random));
-      boxes.emplace_back(corner, Vector2d(corner + size * Vector2d(1, coordinate(random))));
-    }
-    const BoxTree tree(boxes);
-    std::size_t found_in_all = 0;
-    for (int query = 0; query < 40; ++query) {
-      const Vector2d corner(coordinate(random), coordinate(random));
-      const AlignedBox2d box(corner, Vector2d(corner + 0.1 * Vector2d::Ones()));
-      std::vector<Index> found, expected;
-      tree.VisitMeeting(box, [&](Index i) { found.push_back(i); });
-      for (Index i = 0; i < count; ++i) {
-        if (boxes[i].intersects(box)) expected.push_back(i);
-      }
-      std::sort(found.begin(), found.end());
-      EXPECT_EQ(found, expected);
-      found_in_all += found.size();
-    }
-    if (count > 100) {
-      EXPECT_GT(found_in_all, 100u);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace cirque

@@ -14,14 +14,14 @@ using ::testing::HasSubstr;
 
 TEST(ParameterizeOptions, EveryFieldHasALineInTheTable) {
   // One field more does not compile here until it is bound, and counted in the table, which has all
-  // but the last three.
+  // but the last four.
   [[maybe_unused]] const auto& [pattern, triangulation, retriangulate, angle_objective,
                                 angle_solver, radii_solver, layout, cones, cone_budget, cone_angles,
                                 holonomy, integer_cells, boundary, refine_cones, refine_map, seams,
-                                cut_cost, edge_costs, epsilon, max_iterations, solve_at,
-                                exact_limit, injective, strict, exact, own_objective, own_cones] =
-      ParameterizeOptions();
-  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 24u);
+                                cut_cost, edge_costs, least_charts, epsilon, max_iterations,
+                                solve_at, exact_limit, injective, strict, exact, own_objective,
+                                own_cones, own_cut] = ParameterizeOptions();
+  EXPECT_EQ(ParameterizeOptionTable().Names().size(), 25u);
   [[maybe_unused]] const auto& [centre, angle_zero, pole, normalization, corners, sides, curve,
                                 pins, pin_weight, symmetric, axes, inversion] = DomainOptions();
   EXPECT_EQ(DomainOptionTable().Names().size(), 12u);
@@ -73,6 +73,11 @@ TEST(CheckOptions, TextsWithOptionsOfTheirOwnAreCheckedWithoutASurface) {
   EXPECT_EQ(message({{"cones", "greedy:target=0.1,norm=max"}}), "");
   EXPECT_EQ(message({{"cones", "moving:measure=angle,start=l1"}}), "");
   EXPECT_EQ(message({{"cone_angles", "ranges:width=0.3"}}), "");
+  EXPECT_EQ(message({{"cut_cost", "visibility:directions=32"}}), "");
+  EXPECT_THAT(message({{"cut_cost", "visibilty"}}),
+              HasSubstr("cut_cost: unknown cut heuristic 'visibilty'; did you mean 'visibility'?"));
+  EXPECT_THAT(message({{"cut_cost", "visibility:directions=0"}}), HasSubstr("directions = '0'"));
+  EXPECT_THAT(message({{"cut_cost", "length:directions=8"}}), HasSubstr("unknown length option"));
   for (const char* refinement : {"mips:steps=5", "none", "auto", "auto:flag=1,rounds=2"}) {
     EXPECT_EQ(message({{"refine_map", refinement}}), "");
   }

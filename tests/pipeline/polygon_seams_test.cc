@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cones/registry.h"
+#include "cirque/cuts/registry.h"
 #include "cirque/mesh/surface.h"
 #include "cirque/pipeline/parameterize.h"
 #include "cirque/verify/map_check.h"
@@ -102,7 +103,7 @@ TEST(PolygonSeams, KeepOffDiagonalsWithTheConesOfEveryHeuristic) {
 }
 
 TEST(PolygonSeams, KeepOffDiagonalsWhateverACutCosts) {
-  for (const CutCost cost : {CutCost::kLength, CutCost::kDistortion, CutCost::kCurvature}) {
+  for (const std::string& cost : CutHeuristics().Names()) {
     for (const SeamKind seams : {SeamKind::kRigid, SeamKind::kFree}) {
       ParameterizeRequest request;
       request.options.cut_cost = cost;

@@ -108,7 +108,7 @@ TEST(Documents, ExamplesTakeAsManyLinesAsContributorsAreTold) {
     EXPECT_EQ((*row)[2], "3") << pair;
     EXPECT_EQ(std::stoi((*row)[3]), NumLines(pair + ".h") + NumLines(pair + ".cc") + 1) << pair;
   }
-  EXPECT_EQ(rows, 6);
+  EXPECT_EQ(rows, 7);
 }
 
 TEST(Documents, ProgramsOfAnotherProjectAreShortAndSeeOneHeader) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cirque/cones/cone_heuristic.h"
+#include "cirque/core/option_factory.h"
 #include "cirque/core/registry.h"
 
 namespace cirque {
@@ -35,19 +36,6 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> ParseConeHeuristic(const std::str
 
 /// Whether the text is one, without placing anything.
 Status CheckConeHeuristic(const std::string& text);
-
-/// A factory of a Base whose Made is constructed from its options struct O, read through `table`.
-template <class Base, class Made, class O>
-auto FactoryOf(const OptionTable<O>& table) {
-  return [table](const OptionMap& map) -> StatusOr<std::shared_ptr<const Base>> {
-    O options;
-    if (Status status = table.Set(map, &options); !status.ok()) return status;
-    return std::shared_ptr<const Base>(std::make_shared<Made>(options));
-  };
-}
-
-/// The options of what has none.
-struct NoOptions {};
 
 /// A factory of the heuristic H.
 template <class H, class O>

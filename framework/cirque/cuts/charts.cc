@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cirque/cuts/dual_flow.h"
+#include "cirque/math/box_tree.h"
 #include "cirque/math/overlap_geometry.h"
 
 namespace cirque {

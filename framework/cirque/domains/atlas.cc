@@ -138,18 +138,18 @@ bool IsPositive(const CornerUv& uv) {
 PlanarPiece::PlanarPiece(const Surface& surface, const Cut& cut, CornerUv* corners)
     : PlanarPiece(AreaOf(surface), PatchesOf(surface.triangulation, cut), corners) {}
 
-AtlasSummary ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces) {
-  AtlasSummary summary;
-  if (pieces.empty()) return summary;
-  summary.atlas_patches =
+ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces) {
+  ArrangedAtlas arranged;
+  if (pieces.empty()) return arranged;
+  arranged.patches =
       pieces.size() > 1 ? PackPieces(frame, pieces) : static_cast<int>(pieces[0].patches.count);
   const Eigen::AlignedBox2d box = BoxOf(pieces);
   double area = 0;
   for (const PlanarPiece& piece : pieces) area += AreaOf(*piece.uv);
   const double side = box.sizes().maxCoeff();
-  summary.area_used = area / (side * side);
+  arranged.area_used = area / (side * side);
   PutIntoFrame(frame, box, pieces);
-  return summary;
+  return arranged;
 }
 
 Status ArrangeAtlas(const UvFrame& frame, const std::vector<ExactPiece>& pieces) {

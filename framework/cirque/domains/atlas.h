@@ -30,10 +30,15 @@ struct PlanarPiece {
 double AreaOf(const Surface& surface);
 double AreaOf(const CornerUv& uv);
 
+/// What the frame holds.
+struct ArrangedAtlas {
+  int patches = 0;
+  double area_used = kUnset;  ///< share of the bounding square that the images' triangles cover
+};
+
 /// Puts the maps into the frame, all by similarities that keep orientation: several ones, and all of
-/// their patches, side by side (PackPatches). A single map keeps its place but for size. Returns
-/// what there is to tell, without components.
-AtlasSummary ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces);
+/// their patches, side by side (PackPatches). A single map keeps its place but for size.
+ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces);
 
 /// An exact map and the surface that it is of.
 struct ExactPiece {

@@ -33,7 +33,7 @@ void ForgetCut(const Triangulation& t, SurfaceMap* map) {
   map->cut.edge.assign(t.num_edges(), false);
   map->certificate.seams = SeamSummary();
   LayoutSummary& layout = Fill(&map->certificate.layout);
-  layout.cut_length = 0;
+  layout.cut_length = layout.visible_cut_length = 0;
   layout.cones = 0;
 }
 

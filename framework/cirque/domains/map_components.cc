@@ -134,6 +134,7 @@ void AddLayout(const LayoutSummary& part, LayoutSummary* sum) {
   AddTo(part.cones, &sum->cones);
   AddTo(part.patches, &sum->patches);
   AddTo(part.cut_length, &sum->cut_length);
+  AddTo(part.visible_cut_length, &sum->visible_cut_length);
   AddTo(part.float32_vanishing_triangles, &sum->float32_vanishing_triangles);
 }
 

@@ -138,7 +138,9 @@ class MeshMapper {
       result_.surface = {mesh_, &*piece.of.surface};
       if (piece.filled) map.uv = WithoutFill(*piece.filled, map.uv);
       if (!map.IsOnSphere()) {
-        ArrangeAtlas(FrameOf(options_), {PlanarPiece(*result_.surface, map.cut, &map.uv)});
+        const ArrangedAtlas atlas =
+            ArrangeAtlas(FrameOf(options_), {PlanarPiece(*result_.surface, map.cut, &map.uv)});
+        Fill(&map.certificate.layout).area_used = atlas.area_used;
       }
       if (map.exact_map) ArrangeExact({{piece.Solved(), &*map.exact_map}});
       result_.solved_surface =
@@ -155,15 +157,15 @@ class MeshMapper {
       if (piece->filled) map.uv = WithoutFill(*piece->filled, map.uv);
       planar.emplace_back(*piece->of.surface, map.cut, &map.uv);
     }
-    const AtlasSummary atlas = ArrangeAtlas(FrameOf(options_), planar);
+    const ArrangedAtlas atlas = ArrangeAtlas(FrameOf(options_), planar);
     std::vector<Certificate> certificates;
     for (Piece& piece : pieces_) {
       certificates.push_back(std::move(piece.mapped.map.certificate));
     }
     Certificate& certificate = result_.map.certificate;
     certificate = SummarizeComponents(std::move(certificates));
-    certificate.atlas->atlas_patches = atlas.atlas_patches;
-    certificate.atlas->area_used = atlas.area_used;
+    certificate.atlas->atlas_patches = atlas.patches;
+    if (!planar.empty()) Fill(&certificate.layout).area_used = atlas.area_used;
     certificate.seconds.total = seconds_;
     result_.status = WorstOfSeveral(certificate);
     TakeProof(&certificate);

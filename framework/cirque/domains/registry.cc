@@ -96,7 +96,7 @@ const Registry<Domain>& Domains() {
          {"targets",     "cut",         "metric",     "pattern",  "layout",       "cones",
           "cone_budget", "cone_angles", "holonomy",   "boundary", "refine_cones", "refine_map",
           "seams",       "cut_cost",    "edge_costs", "exact",    "exact_limit",  "strict",
-          "injective",   "pins",        "pin_weight", "solve_at", "symmetric"},
+          "injective",   "pins",        "pin_weight", "solve_at", "least_charts", "symmetric"},
          {"uv", "flat"},
          MapToPlane}},
        {"sphere",

@@ -1,7 +1,6 @@
 #include "cirque/math/overlap_geometry.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "cirque/math/predicates.h"
@@ -10,8 +9,6 @@ namespace cirque {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr Index kLeafSize = 8;  // of the tree, in boxes
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -70,31 +67,6 @@ ConvexPolygon CutByTriangle(ConvexPolygon polygon, const PlaneTriangle& triangle
   }
   if (polygon.size() < 3) polygon.clear();
   return polygon;
-}
-
-BoxTree::BoxTree(std::vector<Eigen::AlignedBox2d> boxes)
-    : boxes_(std::move(boxes)), order_(boxes_.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!boxes_.empty()) Build(0, static_cast<Index>(boxes_.size()));
-}
-
-Index BoxTree::Build(Index begin, Index end) {
-  const auto id = static_cast<Index>(nodes_.size());
-  Node node{.begin = begin, .end = end};
-  for (Index k = begin; k < end; ++k) node.box.extend(boxes_[order_[k]]);
-  nodes_.push_back(node);
-  if (end - begin <= kLeafSize) return id;
-  const int axis = node.box.sizes().x() >= node.box.sizes().y() ? 0 : 1;
-  const Index middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](Index i, Index j) {
-                     return boxes_[i].min()[axis] + boxes_[i].max()[axis] <
-                            boxes_[j].min()[axis] + boxes_[j].max()[axis];
-                   });
-  const Index left = Build(begin, middle), right = Build(middle, end);
-  nodes_[id].left = left;
-  nodes_[id].right = right;
-  return id;
 }
 
 }  // namespace cirque

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cirque/math/box_tree.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/math/overlap_geometry.h"
 #include "cirque/metrics/measures.h"

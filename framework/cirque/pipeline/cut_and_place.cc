@@ -11,6 +11,7 @@
 #include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/cuts/cut_graph.h"
+#include "cirque/cuts/part_into_charts.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/layout/seams.h"
@@ -58,13 +59,15 @@ StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
                         const std::vector<Index>& cones) {
   const Triangulation& t = job.surface.triangulation;
   StatusOr<Eigen::VectorXd> costs =
-      CutCosts(job.surface, flat.lengths, job.options, job.file.of_vertex);
+      CutCosts({job.surface, flat.lengths, job.position}, job.options, job.file.of_vertex);
   if (!costs.ok()) return costs.status();
   for (Index e = 0; job.inside && e < t.num_edges(); ++e) {
     if ((*job.inside)[e]) (*costs)[e] = std::numeric_limits<double>::infinity();
   }
   const Cut none{std::vector<bool>(t.num_edges(), false)};
-  return CompleteCut(t, *costs, job.cut ? *job.cut : none, cones);
+  const StatusOr<Cut> parted = PartIntoCharts(job.surface, *costs, job.cut ? *job.cut : none,
+                                              job.options.least_charts, job.control.cancelled);
+  return parted.ok() ? CompleteCut(t, *costs, *parted, cones) : parted.status().In("least_charts");
 }
 
 Status CutAndPlace(const Job& job, Parameterization* result) {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
@@ -21,10 +23,11 @@ struct ParameterizeJob {
   const ParameterizeOptions& options;
   const SolveControl& control;
   const std::vector<bool>* inside = nullptr;  ///< E: edges no seam may run along; null: none
+  const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
 };
 
-/// The given cut and what is needed beyond it to open all cones and leave disks, short by the costs
-/// that the options name, and never inside a polygon.
+/// The given cut and what is needed beyond it to open all cones and leave disks, as many as the
+/// options ask for at least, short by the costs that they name, and never inside a polygon.
 StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
                         const std::vector<Index>& cones);
 

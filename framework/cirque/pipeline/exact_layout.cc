@@ -45,7 +45,7 @@ Status LayOutSolved(const Job& job, const SolvedMetric& solved, const IntrinsicS
   layout->targets = TransferTargets(job.surface, whole.targets, surface);
   layout->flat.log_radii = whole.flat.log_radii;
   layout->flat.on_input = {solved.angles, solved.lengths, {}};
-  const Job of_solved = {surface, job.file, &given, options, job.control};
+  const Job of_solved = {surface, job.file, &given, options, job.control, nullptr, job.position};
   return CutAndPlace(of_solved, layout).In("the exact map");
 }
 

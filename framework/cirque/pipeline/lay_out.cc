@@ -1,7 +1,10 @@
 #include "cirque/pipeline/lay_out.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/cuts/cut_graph.h"
@@ -59,6 +62,18 @@ Cut Joined(const Triangulation& t, const Cut& given, const Triangulation& open,
   return both;
 }
 
+/// The points of the surface opened; nothing where there are none.
+std::optional<std::vector<Eigen::Vector3d>> PositionsOfOpened(const Job& job,
+                                                              const Triangulation& open) {
+  if (!job.position) return std::nullopt;
+  const Triangulation& t = job.surface.triangulation;
+  std::vector<Eigen::Vector3d> position(open.num_vertices);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    position[open.vertex[h]] = (*job.position)[t.vertex[h]];
+  }
+  return position;
+}
+
 /// Flattens and lays out the surface opened along the cut, whose boundary then is free. It has
 /// coherent angles where the whole one has them on the same connectivity.
 Status FreeSeams(const Job& job, Parameterization* result) {
@@ -70,14 +85,15 @@ Status FreeSeams(const Job& job, Parameterization* result) {
   const EdgeLengths lengths = OpenedLengths(t, job.surface.lengths, open);
   const IntrinsicSurface surface = MeasureSurface(open, lengths);
   const Cut none{std::vector<bool>(open.num_edges(), false)};
-  const Job opened{surface, job.file, &none, job.options, job.control};
+  const auto position = PositionsOfOpened(job, open);
+  const Job opened{
+      surface, job.file, &none, job.options, job.control, nullptr, position ? &*position : nullptr};
   result->targets = FreeBoundaryTargets(open);
   const Status status = FlattenAndLayOut(opened, result);
   LayoutSummary& summary = Fill(&result->certificate.layout);
   summary.cones = static_cast<int>(cones.size());
   if (!status.ok()) return status;
   result->cut = Joined(t, *cut, open, result->cut);
-  summary.cut_length = RelativeCutLength(job.surface, result->cut);
   return Status();
 }
 
@@ -112,12 +128,22 @@ void NoteGivenCut(const Job& job, Parameterization* result) {
   }
 }
 
+/// What is opened before anything is solved: the given cut, or charts, all of them disks.
+StatusOr<Cut> FirstCut(const Job& job) {
+  if (job.options.least_charts <= 1) return *job.cut;
+  return ChooseCut(job, {job.surface.angles, job.surface.lengths, {}}, {});
+}
+
 void Measure(const Job& job, Parameterization* result) {
   const Timer measure_timer;
   job.control.BeginStage("measures");
   LayoutSummary& summary = Fill(&result->certificate.layout);
   summary.float32_vanishing_triangles =
       static_cast<int>(FlippedFacesInFloat32(job.surface.triangulation, result->uv).size());
+  summary.cut_length = RelativeCutLength(job.surface, result->cut);
+  if (job.position) {
+    summary.visible_cut_length = VisibleCutLength(job.surface, *job.position, result->cut);
+  }
   MeasureDistortion(job.surface.triangulation, job.surface.lengths, result->cut, result->uv,
                     &result->certificate);
   result->certificate.seconds.measures = measure_timer.Seconds();
@@ -148,25 +174,33 @@ Status LayOutAndMeasure(const Job& job, Parameterization* result) {
   return Status();
 }
 
-bool OpensGivenCut(const Job& job) {
-  return job.options.seams != SeamKind::kRigid && !job.options.AsksForCones() &&
-         job.options.holonomy == HolonomyRule::kFree && job.cut && !job.cut->IsEmpty();
+bool OpensFirst(const Job& job) {
+  const bool asked = (job.cut && !job.cut->IsEmpty()) || job.options.least_charts > 1;
+  return asked && job.options.seams != SeamKind::kRigid && !job.options.AsksForCones() &&
+         job.options.holonomy == HolonomyRule::kFree;
 }
 
-Status OpenAlongGivenCut(const Job& job, Parameterization* result) {
+Status OpenAndLayOut(const Job& job, Parameterization* result) {
   const Triangulation& t = job.surface.triangulation;
-  const Triangulation open = CutOpen(t, *job.cut);
+  const StatusOr<Cut> cut = FirstCut(job);
+  if (!cut.ok()) return cut.status();
+  const Triangulation open = CutOpen(t, *cut);
   const EdgeLengths lengths = OpenedLengths(t, job.surface.lengths, open);
   const IntrinsicSurface surface = MeasureSurface(open, lengths);
   const FileVertices file = NumbersOfOpened(t, job.file, open);
   std::vector<bool> inside;
   if (job.inside) inside = FlagsOfOpened(t, *job.inside, open);
+  const auto position = PositionsOfOpened(job, open);
   result->targets = FreeBoundaryTargets(open);
-  const Job opened{surface,     file,        nullptr,
-                   job.options, job.control, job.inside ? &inside : nullptr};
+  const Job opened{surface,
+                   file,
+                   nullptr,
+                   job.options,
+                   job.control,
+                   job.inside ? &inside : nullptr,
+                   position ? &*position : nullptr};
   if (Status s = FlattenAndLayOut(opened, result); !s.ok()) return s;
-  result->cut = Joined(t, *job.cut, open, result->cut);
-  Fill(&result->certificate.layout).cut_length = RelativeCutLength(job.surface, result->cut);
+  result->cut = Joined(t, *cut, open, result->cut);
   NoteGivenCut(job, result);
   Measure(job, result);
   return Status();

@@ -21,12 +21,13 @@ Status FlattenToTargets(const ParameterizeJob& job, Parameterization* result);
 /// for no coherent angles, of which there is no proof about the surface.
 Status LayOutAndMeasure(const ParameterizeJob& job, Parameterization* result);
 
-/// Whether the surface is opened along the cut that is given, with a free boundary, before anything
-/// is solved: the options keep no rigid seams, name no cones and leave rotations free. (For jobs without targets.)
-bool OpensGivenCut(const ParameterizeJob& job);
+/// Whether the surface is opened along the cut that is given, or into the charts that are asked for,
+/// with a free boundary, before anything is solved: the options keep no rigid seams, name no cones
+/// and leave rotations free. (For jobs without targets.)
+bool OpensFirst(const ParameterizeJob& job);
 
 /// Does so, with a further cut where that leaves no disk. Whatever the surface needed as a whole,
 /// opened it needs no cones. Errors: as LayOutAndMeasure.
-Status OpenAlongGivenCut(const ParameterizeJob& job, Parameterization* result);
+Status OpenAndLayOut(const ParameterizeJob& job, Parameterization* result);
 
 }  // namespace cirque

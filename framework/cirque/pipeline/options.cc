@@ -8,6 +8,7 @@
 #include "cirque/cones/registry.h"
 #include "cirque/core/enum_words.h"
 #include "cirque/core/text.h"
+#include "cirque/cuts/registry.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/pipeline/finish_layout.h"
 #include "cirque/solver/solver_strategy.h"
@@ -92,11 +93,19 @@ std::vector<Option<O>> RefinementOptions() {
 }
 
 std::vector<Option<O>> CutOptions() {
-  return {{"seams", &O::seams,
-           "the two sides of a cut stay congruent, or the surface opened along it gets a free "
-           "boundary; auto: that along a cut that is given without cones"},
-          {"cut_cost", &O::cut_cost, "what the cut is short in"},
-          {"edge_costs", &O::edge_costs, "file of factors on that: 'from to cost' a line"}};
+  return {
+      {"seams", &O::seams,
+       "the two sides of a cut stay congruent, or the surface opened along it gets a free "
+       "boundary; auto: that along a cut that is given without cones"},
+      Option<O>("cut_cost", &O::cut_cost,
+                "what the cut is short in, NAME or NAME:KEY=VALUE,...; names " +
+                    Join(CutHeuristics().Names()))
+          .Checked(CheckCutHeuristic),
+      {"edge_costs", &O::edge_costs, "file of factors on that: 'from to cost' a line"},
+      Option<O>("least_charts", &O::least_charts,
+                "charts that the surface is cut into at least, all disks, by short borders; 0: as "
+                "few as it takes")
+          .Between(0, 1e6)};
 }
 
 std::vector<Option<O>> LimitingOptions() {
@@ -189,6 +198,7 @@ Status CheckIntegers(const ParameterizeOptions& options) {
   }
   const std::pair<const char*, bool> others[] = {{"exact", options.exact},
                                                  {"injective", options.injective},
+                                                 {"least_charts", options.least_charts > 1},
                                                  {"solve_at", options.solve_at > 0}};
   for (const auto& [name, asked] : others) {
     if (!asked) continue;

@@ -12,6 +12,7 @@ namespace cirque {
 
 class AngleObjective;
 class ConeHeuristic;
+class CutHeuristic;
 
 /// What makes the surface flat: the circle pattern of coherent angles, or discrete conformal
 /// equivalence, scales at the vertices with Ptolemy flips.
@@ -47,16 +48,6 @@ template <>
 inline constexpr auto kEnumWords<SeamKind> = std::to_array<EnumWord<SeamKind>>(
     {{SeamKind::kAuto, "auto"}, {SeamKind::kRigid, "rigid"}, {SeamKind::kFree, "free"}});
 
-/// What a cut shall be short in (CutCosts).
-enum class CutCost { kFlatLength, kLength, kDistortion, kCurvature };
-
-template <>
-inline constexpr auto kEnumWords<CutCost> =
-    std::to_array<EnumWord<CutCost>>({{CutCost::kFlatLength, "flat_length"},
-                                      {CutCost::kLength, "length"},
-                                      {CutCost::kDistortion, "distortion"},
-                                      {CutCost::kCurvature, "curvature"}});
-
 /// Along every loop of the flat metric directions turn. kFree: by what comes. kHalves, kThirds: by a
 /// multiple of pi/2, pi/3, so that a map of the surface is seamless but for such rotations and
 /// translations: cones have angles of such multiples and are moved to where the rotations are near
@@ -69,7 +60,7 @@ inline constexpr auto kEnumWords<HolonomyRule> =
                                            {HolonomyRule::kHalves, "pi/2"},
                                            {HolonomyRule::kThirds, "pi/3"}});
 
-/// How to parameterize. ParameterizeOptionTable() has a line for every field but the last three, by
+/// How to parameterize. ParameterizeOptionTable() has a line for every field but the last four, by
 /// which it is a flag of circle_patterns and a key of an experiment config.
 struct ParameterizeOptions {
   PatternKind pattern = PatternKind::kCircle;
@@ -95,8 +86,11 @@ struct ParameterizeOptions {
   /// "mips:steps=5", or "none".
   std::string refine_map = "auto";
   SeamKind seams = SeamKind::kAuto;
-  CutCost cut_cost = CutCost::kFlatLength;
-  std::string edge_costs;    ///< a file of factors on that (cuts/edge_cost_file.h); empty: none
+  /// What a cut shall be short in: a name of CutHeuristics(), with options as in
+  /// "visibility:directions=64".
+  std::string cut_cost = "flat_length";
+  std::string edge_costs;    ///< a file of factors on that (cuts/edge_files.h); empty: none
+  int least_charts = 0;      ///< disks that the cut leaves at least (PartIntoCharts); 0: one
   double epsilon = 1e-3;     ///< least corner and intersection angle [rad]; shrinks where it must
   int max_iterations = 100;  ///< of each solve
   /// Surfaces of more faces are decimated to about so many for the solve, and the map is carried back
@@ -111,9 +105,11 @@ struct ParameterizeOptions {
   /// Whether Parameterization::exact_map is made too: the map that is linear on the triangles that
   /// it was solved on, on their overlay with the input's.
   bool exact = false;
-  /// A caller's own, used where `angle_objective` and `cones` would else be looked up; null: none.
+  /// A caller's own, used where `angle_objective`, `cones` and `cut_cost` would else be looked up;
+  /// null: none.
   std::shared_ptr<const AngleObjective> own_objective = {};
   std::shared_ptr<const ConeHeuristic> own_cones = {};
+  std::shared_ptr<const CutHeuristic> own_cut = {};
 
   bool AsksForCones() const { return !cones.empty() || own_cones; }
 };

@@ -70,7 +70,10 @@ void CompareWithBudget(const Triangulation& t, const ParameterizeOptions& option
                        Parameterization* result) {
   const int asked = ConesAskedFor(options);
   if (asked < 0 || result->targets.lower.empty()) return;
-  const auto placed = static_cast<int>(ConesOf(t, result->targets).size());
+  // The targets of a surface that was opened are about that one; its cones are counted before.
+  const auto& layout = result->certificate.layout;
+  const int placed = layout && layout->cones ? *layout->cones
+                                             : static_cast<int>(ConesOf(t, result->targets).size());
   if (placed > asked) result->certificate.cone_budget = {asked, placed};
 }
 
@@ -78,8 +81,8 @@ void CompareWithBudget(const Triangulation& t, const ParameterizeOptions& option
 Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
   if (road.targets) {
     result->targets = *road.targets;
-  } else if (OpensGivenCut(job)) {
-    return OpenAlongGivenCut(job, result);
+  } else if (OpensFirst(job)) {
+    return OpenAndLayOut(job, result);
   } else if (Status s = Place(job, result); !s.ok()) {
     return s;
   }
@@ -91,6 +94,7 @@ Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
 struct Origin {
   FileVertices file;
   std::vector<bool> inside;  ///< E: edges inside polygons; empty: none
+  const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
 };
 
 /// Whether a surface may be parameterized so.
@@ -107,6 +111,11 @@ Status CheckRequest(const IntrinsicSurface& surface, const ParameterizeRequest& 
     return Status::InvalidInput(
         "exact: its seams are chosen before the image can be made injective; leave out exact or "
         "injective");
+  }
+  if (options.exact && options.least_charts > 1) {
+    return Status::InvalidInput(
+        "exact: its seams run along edges of the triangulation that is solved on, charts along "
+        "those of the surface; leave out exact or least_charts");
   }
   const std::vector<bool>& boundary = surface.boundary;
   if (options.integer_cells > 0 &&
@@ -127,11 +136,13 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
     return TakeRoad({surface, origin.file, cut, road.options, control,
-                     origin.inside.empty() ? nullptr : &origin.inside},
+                     origin.inside.empty() ? nullptr : &origin.inside, origin.position},
                     road, end);
   };
   const Road asked{options, request.targets, {}};
-  Status status = ClimbLadder({surface, asked, cut != nullptr}, take, result);
+  const bool opens =
+      cut != nullptr || (options.least_charts > 1 && options.seams != SeamKind::kRigid);
+  Status status = ClimbLadder({surface, asked, opens}, take, result);
   result->certificate.infeasibility = std::move(result->flat.infeasibility);
   result->certificate.cone_rounding = request.cone_rounding;
   if (!request.targets) CompareWithBudget(surface.triangulation, options, result);
@@ -191,7 +202,7 @@ Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
                     const SolveControl& control, Parameterization* result) {
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const Origin origin{VerticesInFile(surface), EdgesInsidePolygons(surface)};
+  const Origin origin{VerticesInFile(surface), EdgesInsidePolygons(surface), &surface.position};
   const IntrinsicSurface intrinsic = MeasureSurface(surface.triangulation, lengths);
   Status status = request.cut ? CheckKeepsPolygons(surface, origin.inside, *request.cut) : Status();
   if (status.ok()) status = RunRequest(intrinsic, origin, request, control, result);

@@ -143,7 +143,8 @@ struct LayoutSummary {
   double layout_closure = kUnset;
   int flipped_triangles = 0;
   std::optional<int> cones, patches, rotation_order;
-  std::optional<double> cut_length;
+  std::optional<double> cut_length, visible_cut_length;
+  std::optional<double> area_used;  ///< of the bounding square of all that is written
   std::optional<int> given_cut_edges, further_cut_edges;  ///< where a cut was given
   /// Triangles that are flipped or have no area for who reads the coordinates as floats.
   std::optional<int> float32_vanishing_triangles;
@@ -288,7 +289,6 @@ struct ComponentSummary {
 /// Components side by side in the plane.
 struct AtlasSummary {
   int components = 0, components_failed = 0, atlas_patches = 0;
-  double area_used = kUnset;  ///< share of the bounding square that the images' triangles cover
 };
 
 /// The process that ran it.
