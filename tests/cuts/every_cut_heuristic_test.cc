@@ -64,7 +64,7 @@ TEST_P(EveryCutHeuristic, EndsInAMapOpenedToADisk) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryCutHeuristic, testing::ValuesIn(CutHeuristics().Names()),
-                         testing::PrintToStringParamName());
+                         [](const auto& heuristic) { return heuristic.param; });
 
 TEST(CutHeuristics, LengthsAreThemselvesAndNothingCostsMoreThanItsLength) {
   const Surface blob = GeneratedSurface("blob", 200);

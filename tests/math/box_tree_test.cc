@@ -42,14 +42,14 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
 TYPED_TEST_SUITE(BoxTreeTest, Dimensions);
 
 TYPED_TEST(BoxTreeTest, FindsWhatATrialOfAllFinds) {
-  using Box = typename TestFixture::Box;
   for (const int count : {0, 1, 7, 8, 9, 500}) {
-    const std::vector<Box> boxes = this->RandomBoxes(count);
+    const auto boxes = this->RandomBoxes(count);
     const BoxTreeOf<TestFixture::kN> tree(boxes);
     std::size_t found_in_all = 0;
     for (int query = 0; query < 40; ++query) {
       const auto corner = this->RandomPoint();
-      const Box box(corner, typename TestFixture::Point(corner.array() + 0.1));
+      const typename TestFixture::Box box(corner,
+                                          typename TestFixture::Point(corner.array() + 0.1));
       std::vector<Index> found, expected;
       tree.VisitMeeting(box, [&](Index i) { found.push_back(i); });
       for (Index i = 0; i < count; ++i) {
@@ -66,11 +66,9 @@ TYPED_TEST(BoxTreeTest, FindsWhatATrialOfAllFinds) {
 }
 
 TYPED_TEST(BoxTreeTest, IsOverWhereNothingMeetsAnyMore) {
-  using Box = typename TestFixture::Box;
-  const std::vector<Box> boxes = this->RandomBoxes(500);
-  const BoxTreeOf<TestFixture::kN> tree(boxes);
+  const BoxTreeOf<TestFixture::kN> tree(this->RandomBoxes(500));
   int visited = 0;
-  tree.VisitWhere([&](const Box&) { return visited < 3; }, [&](Index) { ++visited; });
+  tree.VisitWhere([&](const auto&) { return visited < 3; }, [&](Index) { ++visited; });
   EXPECT_EQ(visited, 3);
 }
 

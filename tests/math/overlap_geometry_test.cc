@@ -9,7 +9,6 @@
 namespace cirque {
 namespace {
 
-using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
 constexpr PlaneTriangle::size_type kSides = 3;

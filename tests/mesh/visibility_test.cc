@@ -28,8 +28,7 @@ double Bend(const Surface& surface, Index e) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Two prisms of square section, of an L, with `width` on one side and `height` on the other: the
-/// outline of the L counter-clockwise, and its front and back.
+/// The prism over a polygon, counter-clockwise.
 PolygonSoup PrismOver(const std::vector<Eigen::Vector2d>& outline, double depth) {
   const auto n = static_cast<Index>(outline.size());
   std::vector<Point> points;
@@ -84,13 +83,13 @@ TEST(Visibility, OfAConvexEdgeIsThatOfTwoHalfSpheres) {
 }
 
 TEST(Visibility, OfAConcaveEdgeIsThatOfTheWedge) {
-  // The inner edge of an L far longer than thick: a quarter of the sphere, but for nothing.
+  // The inner edge of an L, and its outermost, which nothing else hides.
   const Surface body = SurfaceOf(PrismOver({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1));
   const Visibility visibility(body.triangulation, body.position, 4000);
   const Index inner = EdgeAt(body, {1, 1, 0}, {1, 1, 1});
   ASSERT_NE(inner, kNone);
   EXPECT_NEAR(visibility.Of(inner), 0.25, 0.01);
-  const Index outer = EdgeAt(body, {2, 1, 0}, {2, 1, 1});
+  const Index outer = EdgeAt(body, {2, 0, 0}, {2, 0, 1});
   EXPECT_NEAR(visibility.Of(outer), 0.75, 0.01);
 }
 

@@ -34,7 +34,7 @@ double DistanceAcross(const IntrinsicSurface& surface, Index h) {
 
 DualGraph::DualGraph(const IntrinsicSurface& surface, const Eigen::VectorXd& cost, const Cut& given)
     : of_face_(surface.triangulation.num_faces()) {
-  Number(surface.triangulation, cost);
+  Number(surface.triangulation, cost, given);
   area_.assign(size_, 0);
   for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
     area_[of_face_[f]] += FaceArea(surface, f);
@@ -52,11 +52,11 @@ DualGraph::DualGraph(const IntrinsicSurface& surface, const Eigen::VectorXd& cos
   ends_ = SortIntoBuckets(end, size_);
 }
 
-void DualGraph::Number(const Triangulation& t, const Eigen::VectorXd& cost) {
+void DualGraph::Number(const Triangulation& t, const Eigen::VectorXd& cost, const Cut& given) {
   DisjointSets polygons(t.num_faces());
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
-    if (t.IsBoundaryEdge(e) || std::isfinite(cost[e])) continue;
+    if (t.IsBoundaryEdge(e) || given.edge[e] || std::isfinite(cost[e])) continue;
     polygons.Unite(Triangulation::Face(h), Triangulation::Face(t.twin[h]));
   }
   for (Index f = 0; f < t.num_faces(); ++f) {

@@ -39,7 +39,7 @@ class DualGraph {
   }
 
  private:
-  void Number(const Triangulation& t, const Eigen::VectorXd& cost);
+  void Number(const Triangulation& t, const Eigen::VectorXd& cost, const Cut& given);
 
   Index size_ = 0;
   std::vector<Index> of_face_;  ///< F

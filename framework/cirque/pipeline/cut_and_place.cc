@@ -81,6 +81,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   if (!laid_out.ok()) return laid_out.status();
   PlanarLayout& layout = *laid_out;
   LayoutSummary& summary = Fill(&certificate.layout);
+  ScalePieces(job.surface, &layout.uv);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   std::optional<CornerUv> convex;
   if (!flipped.empty() && MayBeginConvexly(job, result->targets, *cut)) {
@@ -100,6 +101,8 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
       if (!refined.ok()) return refined;
       if (convex) Fill(&certificate.map_refinement).map_refinement_convex_start = 1;
     }
+    // What keeps angles alone leaves the scale of a piece to chance.
+    if (!LeavesConformal(job.options.refine_map)) ScalePieces(job.surface, &layout.uv);
     summary.rotation_order = ArrangePatches(of, result->targets, &layout);
     flipped = FlippedFaces(t, layout.uv);
   }

@@ -226,6 +226,25 @@ bool SnapRotations(const Triangulation& t, const Cut& cut, const std::vector<Ind
   return true;
 }
 
+void ScalePieces(const IntrinsicSurface& surface, CornerUv* uv) {
+  const Patches pieces = ConnectedPatches(surface.triangulation);
+  if (pieces.count == 1) return;
+  const auto& side = surface.lengths.value;
+  const auto& edge = surface.triangulation.edge;
+  std::vector<double> own(pieces.count, 0), image(pieces.count, 0);
+  for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {
+    const Index h = 3 * f, piece = pieces.of_face[f];
+    own[piece] += side[edge[h]] * side[edge[h + 1]] * std::sin(surface.angles.value[h + 2]);
+    const Eigen::Vector2d a = uv->value[h + 1] - uv->value[h], b = uv->value[h + 2] - uv->value[h];
+    image[piece] += a.x() * b.y() - a.y() * b.x();
+  }
+  for (std::size_t c = 0; c < uv->value.size(); ++c) {
+    const Index piece = pieces.of_face[c / 3];
+    const double scale = std::sqrt(own[piece] / image[piece]);
+    if (std::isnormal(scale)) uv->value[c] *= scale;
+  }
+}
+
 int ArrangePatches(const LaidOutSurface& of, const ConeTargets& targets, PlanarLayout* layout) {
   if (layout->patches.count > 1) {
     layout->uv = PackPatches(layout->uv, layout->patches, {}).uv;

@@ -77,6 +77,10 @@ bool SnapRotations(const Triangulation& triangulation, const Cut& cut,
                    const std::vector<Index>& cones, const CornerAngles& flat_angles, int order,
                    CornerUv* uv);
 
+/// Gives the image of every piece of a surface that was opened into several the area that the piece
+/// has: each has a scale of its own otherwise. Of one piece the image stays.
+void ScalePieces(const IntrinsicSurface& surface, CornerUv* uv);
+
 /// Several patches, each in a frame of its own: side by side in the unit square. One patch: exact
 /// rotations across the seams (SnapRotations) where the cones' angles allow it. Returns their order,
 /// 0 where they are not exact.

@@ -184,38 +184,16 @@ class Flattening {
     }
   }
 
-  /// Shifts the gauge so that the image has the surface's area; of a surface opened into several pieces
-  /// that of every piece, which has a gauge of its own.
+  /// Shifts the gauge so that the image has the surface's area.
   void ScaleToSurfaceArea(const CornerAngles& flat) {
-    const Patches pieces = ConnectedPatches(input_);
-    for (Index p = 0; p < pieces.count; ++p) ScaleToSurfaceArea(flat, pieces, p);
-  }
-
-  void ScaleToSurfaceArea(const CornerAngles& flat, const Patches& pieces, Index piece) {
-    const auto is_there = [&](Index f) { return pieces.of_face[f] == piece; };
-    const double source_area = pieces.count == 1 ? source_area_ : SourceArea(is_there);
-    if (!(source_area > 0)) return;  // needles alone, whose lengths are those of flat triangles
+    if (!(source_area_ > 0)) return;  // needles alone, whose lengths are those of flat triangles
     const double image_area = ParallelSum(input_.num_faces(), [&](Index f) {
-      if (!is_there(f)) return 0.0;
       const double radius = std::exp(result_.log_radii.value[f]);
       double image = 2 * radius * radius;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= std::sin(flat.value[h]);
       return image;
     });
-    const double shift = 0.5 * std::log(source_area / image_area);
-    for (Index f = 0; f < input_.num_faces(); ++f) {
-      if (is_there(f)) result_.log_radii.value[f] += shift;
-    }
-  }
-
-  /// The area on the surface of the faces of which is_there(f) holds.
-  template <class IsThere>
-  double SourceArea(const IsThere& is_there) const {
-    const auto side = [&](Index h) { return job_.surface.lengths.value[input_.edge[h]]; };
-    return ParallelSum(input_.num_faces(), [&](Index f) {
-      const double sine = std::sin(job_.surface.angles.value[3 * f]);
-      return is_there(f) ? 0.5 * side(3 * f + 1) * side(3 * f + 2) * sine : 0.0;
-    });
+    result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);
   }
 
   /// A round, and what the certificate said of it.
