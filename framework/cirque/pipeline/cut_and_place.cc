@@ -58,15 +58,21 @@ bool MayBeginConvexly(const Job& job, const ConeTargets& targets, const Cut& cut
 StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
                         const std::vector<Index>& cones) {
   const Triangulation& t = job.surface.triangulation;
+  const Cut given = job.cut ? *job.cut : Cut{std::vector<bool>(t.num_edges(), false)};
+  const Index least = std::max(1, job.options.least_charts);
+  // What is open enough costs nothing, and costs of edges may take long; a file of them is read.
+  if (job.options.edge_costs.empty() && CheckCut(t, given, cones).ok() &&
+      ConnectedPatches(CutOpen(t, given)).count >= least) {
+    return given;
+  }
   StatusOr<Eigen::VectorXd> costs =
       CutCosts({job.surface, flat.lengths, job.position}, job.options, job.file.of_vertex);
   if (!costs.ok()) return costs.status();
   for (Index e = 0; job.inside && e < t.num_edges(); ++e) {
     if ((*job.inside)[e]) (*costs)[e] = std::numeric_limits<double>::infinity();
   }
-  const Cut none{std::vector<bool>(t.num_edges(), false)};
-  const StatusOr<Cut> parted = PartIntoCharts(job.surface, *costs, job.cut ? *job.cut : none,
-                                              job.options.least_charts, job.control.cancelled);
+  const StatusOr<Cut> parted =
+      PartIntoCharts(job.surface, *costs, given, least, job.control.cancelled);
   return parted.ok() ? CompleteCut(t, *costs, *parted, cones) : parted.status().In("least_charts");
 }
 
