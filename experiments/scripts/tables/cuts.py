@@ -6,6 +6,7 @@ from tables.records import plt, quantiles, shown, table
 
 OUTPUT = "cuts"
 REFERENCE = "rigid, flat_length"
+LEAST = 1e-9  # of a value that others are compared with
 # What a choice is judged by: the value's name, its head in tables, its format; the less the better but for the last.
 FIGURES = [("cut_length", "cut length", "{:.2f}"), ("visible_cut_length", "visible cut length", "{:.2f}"),
            ("quasi_conformal_mean", "qc mean", "{:.4f}"), ("log_scale_l2", "log scale L2", "{:.3f}"),
@@ -33,7 +34,9 @@ def pairs(of_mesh, name, other=REFERENCE):
 
 
 def ratios(of_mesh, name, value, other=REFERENCE):
-    return [a.value(value) / b.value(value) for a, b in pairs(of_mesh, name, other) if a.value(value) is not None and b.value(value)]
+    """Of the two values, where there is something to compare with: a surface that comes out flat without distortion has none."""
+    both = [(a.value(value), b.value(value)) for a, b in pairs(of_mesh, name, other)]
+    return [a / b for a, b in both if a is not None and b is not None and b > LEAST]
 
 
 def median_ratio(of_mesh, name, value, other=REFERENCE):
@@ -55,11 +58,14 @@ def verdict(of_mesh, names):
     longer = median_ratio(of_mesh, seen, "cut_length")
     free = [n for n in names if n.startswith("free")]
     lengths, lengths_ratio = best(of_mesh, free, "log_scale_l2")
+    longer_free = median_ratio(of_mesh, lengths, "cut_length")
+    injective = sum(1 for of in of_mesh.values() if lengths in of and of[lengths].record.get("overlap") == "injective")
     angles, angles_ratio = best(of_mesh, free + [n for n in names if n.endswith("charts")], "quasi_conformal_mean")
     filled, filled_ratio = best(of_mesh, names, "area_used", -1)
     return (f"Over `{REFERENCE}`, in the median of {len(of_mesh)} closed surfaces: with seams that match `{seen}` is seen least, "
             f"{seen_ratio:.2f} of the visible length for {longer:.2f} times the length; of single images with free seams `{lengths}` leaves "
-            f"least area distortion ({lengths_ratio:.2f} of the L2 norm of the log scale); `{angles}` has the least mean "
+            f"least area distortion, {lengths_ratio:.2f} of the L2 norm of the log scale, for {longer_free:.2f} times the length ({injective} of "
+            f"them injective); `{angles}` has the least mean "
             f"quasi-conformal distortion ({angles_ratio:.3f}), and `{filled}` fills most of its square ({filled_ratio:.2f} times the area).")
 
 
@@ -89,7 +95,7 @@ def tables(runs):
     names = records.in_order(choice(run) for run in runs)
     question = runs[0].record.get("provenance", {}).get("question", "")
     text = ["# Cuts", f"**Question.** {question}", f"**Answer.** {verdict(of_mesh, names)}",
-            "![Visible length against length](cuts.svg)",
+            "![Medians of every cut](cuts.svg)",
             "Lengths are over the square root of the surface's area; in the visible one every edge counts by the share of 64 directions from "
             f"which it is seen; \"area used\" is the share of its bounding square that a map covers. Over `{REFERENCE}` on the same mesh: "
             "median (least to greatest).", summary(of_mesh, names)]
@@ -100,13 +106,13 @@ def tables(runs):
 
 def draw(runs, path):
     of_mesh = by_choice(runs)
-    names = records.in_order(choice(run) for run in runs)
-    figure, axis = plt.subplots(figsize=(6, 4))
-    for place, name in enumerate(names):
-        both = [(median_ratio(of_mesh, name, value)) for value in ("cut_length", "visible_cut_length")]
-        if None in both:
-            continue
-        axis.plot(*both, "o", color=records.COLOURS[place % len(records.COLOURS)])
-        axis.annotate(name, both, textcoords="offset points", xytext=(4, 3))
-    axis.set(xlabel=f"cut length over that of {REFERENCE}, median", ylabel="visible cut length, the same", xscale="log", yscale="log")
+    names = records.in_order(choice(run) for run in runs)[::-1]
+    figure, axis = plt.subplots(figsize=(6, 0.24 * len(names) + 1))
+    for (value, head, _), marker, colour in zip(FIGURES, "o^sDv", records.COLOURS):
+        found = [(median_ratio(of_mesh, name, value), place) for place, name in enumerate(names)]
+        axis.plot(*zip(*[(ratio, place) for ratio, place in found if ratio]), marker, color=colour, markersize=4.5, label=head)
+    axis.axvline(1, color="0.4", linewidth=0.8)
+    axis.set_yticks(range(len(names)), names)
+    axis.set(xlabel=f"median over {REFERENCE}", xscale="log")
+    axis.legend(loc="center left", bbox_to_anchor=(1, 0.5))
     records.save(figure, path)
