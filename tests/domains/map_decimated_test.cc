@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,6 +101,25 @@ TEST(MapDecimated, SeamsOfQuarterTurnsStayExact) {
   ExpectSeamedMap(surface, *map);
   EXPECT_EQ(map->certificate.layout->rotation_order, 4);
   EXPECT_LT(map->certificate.seams->seam_rotation_mismatch, 1e-9);
+}
+
+TEST(MapDecimated, ChartsComeBackSideBySide) {
+  const Surface surface = GeneratedSurface("blob", 6000);
+  MapRequest request = SolvedAt(800);
+  request.options.least_charts = 5;
+  const auto map = MapSurface(surface, request);
+  ASSERT_TRUE(map.ok()) << map.status().message();
+  const Triangulation& t = surface.triangulation;
+  EXPECT_TRUE(FlippedFaces(t, map->uv).empty());
+  const Patches patches = ConnectedPatches(CutOpen(t, map->cut));
+  ASSERT_EQ(patches.count, 5);
+  std::vector<Eigen::AlignedBox2d> boxes(5);
+  for (Index c = 0; c < t.num_halfedges(); ++c) {
+    boxes[patches.of_face[Triangulation::Face(c)]].extend(map->uv.value[c]);
+  }
+  for (Index p = 0; p < 5; ++p) {
+    for (Index q = 0; q < p; ++q) EXPECT_FALSE(boxes[p].intersects(boxes[q]));
+  }
 }
 
 TEST(MapDecimated, RefusesWhatIsAboutAllVertices) {

@@ -61,7 +61,8 @@ void Spread(const DualGraph& graph, const std::vector<Index>& sources, const May
     queue.emplace(0, node);
   }
   while (!queue.empty()) {
-    const auto [so_far, node] = queue.top();
+    const double so_far = queue.top().first;
+    const Index node = queue.top().second;
     queue.pop();
     if (so_far > (*distance)[node]) continue;
     graph.ForEachJointAt(node, [&](const DualGraph::Joint& joint, Index across) {

@@ -15,6 +15,7 @@
 #include "cirque/domains/atlas.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/layout/opened_map.h"
+#include "cirque/layout/packing.h"
 #include "cirque/layout/relax_map.h"
 #include "cirque/layout/seams.h"
 #include "cirque/layout/undo_collapses.h"
@@ -190,7 +191,7 @@ class DecimatedSolve {
     Status status = RefineSeamedMap(of, request_.options.refine_map, control_.cancelled, &map_->uv,
                                     &map_->certificate.map_refinement);
     if (!status.ok()) return status;
-    ScaleToArea();
+    Arrange();
     LayoutSummary& layout = Fill(&map_->certificate.layout);
     const int order = layout.rotation_order.value_or(0);
     const bool exact =
@@ -212,8 +213,14 @@ class DecimatedSolve {
                   fmt::format("{} came back flipped", Count(flipped.size(), "triangle")));
   }
 
-  /// The image gets the area of the surface, unless rounding flips something.
-  void ScaleToArea() const {
+  /// Several patches, which have grown out of their places, side by side again. One gets the area of
+  /// the surface, unless rounding flips something.
+  void Arrange() const {
+    const Patches patches = ConnectedPatches(CutOpen(t_, map_->cut));
+    if (patches.count > 1) {
+      map_->uv = PackPatches(map_->uv, patches, {}).uv;
+      return;
+    }
     const double scale = std::sqrt(AreaOf(surface_) / AreaOf(map_->uv));
     CornerUv scaled = map_->uv;
     for (Eigen::Vector2d& p : scaled.value) p *= scale;
