@@ -196,7 +196,7 @@ TEST_F(StudyTest, CutsAreComparedWithThoseShortInTheImage) {
   EXPECT_THAT(page, HasSubstr("`rigid, visibility` is seen least, 0.25 of the visible length for "
                               "1.50 times the length"));
   EXPECT_THAT(page, HasSubstr("`free, towards 8 cones` leaves least area distortion, 0.20 of "
-                              "the L2 norm of the log scale, for 2.00 times the length (0 of them "
+                              "the L2 norm of the log scale, for 2.00 times the length (1 of them "
                               "injective)"));
   EXPECT_THAT(page, HasSubstr("`4 charts` has the least mean quasi-conformal distortion (0.700), "
                               "and `4 charts` fills most of its square (1.50 times the area)"));
