@@ -39,6 +39,7 @@ Status CheckRequest(const MapRequest& request) {
                      : options.injective                       ? "injective map"
                      : options.boundary != kFreeBoundary       ? "boundary shape"
                      : options.holonomy != HolonomyRule::kFree ? "holonomy"
+                     : options.least_charts > 0                ? "least_charts"
                      : options.solve_at > 0                    ? "solve_at"
                      : !request.shape.pins.empty()             ? "pins"
                                                                : nullptr;
