@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/io/con_file.h"
 #include "cirque/io/io.h"
+#include "cirque/io/lattice_texture.h"
 #include "cirque/layout/sphere_chart.h"
 #include "cirque/pipeline/infeasibility_files.h"
 
@@ -88,11 +90,30 @@ Status WriteExact(const CirclePatternsJob& job, const Input& input, const ExactM
   return WriteHomogeneousObj(job.projective, exact.mesh, HomogeneousTexture(exact), exact.polygon);
 }
 
+/// What a texture on the map may repeat by; none: it has seams.
+std::optional<LatticeKind> LatticeOf(const Certificate& certificate) {
+  if (!certificate.integers || !certificate.integers->integer_gap) return std::nullopt;
+  return LatticeOfOrder(certificate.layout->rotation_order.value_or(0));
+}
+
+Status WriteTextured(const std::string& path, const Input& input, const CornerUv& uv,
+                     std::optional<LatticeKind> lattice) {
+  const PolygonSoup textured = AttachUv(input.file.soup, input.surface, uv);
+  if (!lattice || MeshExtension(path) != "glb") {
+    return WriteTexturedMesh(path, input.file, textured);
+  }
+  LatticeTexture texture{*lattice, {}};
+  for (const auto& [vertex, sum] : MakeUvMap(input.surface, uv).cones) {
+    texture.cones.push_back({input.surface.position[vertex], sum});
+  }
+  return WriteLatticeGlb(path, textured, texture);
+}
+
 Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream& report,
                   SurfaceMap* map) {
   const CornerUv uv = std::move(map->uv);
-  const PolygonSoup textured = AttachUv(input.file.soup, input.surface, uv);
-  if (Status s = WriteTexturedMesh(job.output, input.file, textured); !s.ok()) return s;
+  const std::optional<LatticeKind> lattice = LatticeOf(map->certificate);
+  if (Status s = WriteTextured(job.output, input, uv, lattice); !s.ok()) return s;
   if (map->exact_map) {
     if (Status s = WriteExact(job, input, *map->exact_map, report); !s.ok()) return s;
   }
@@ -104,11 +125,8 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
       job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
   if (!measured.ok() || !WantsPictures(job)) return measured;
   UvMap image = MakeUvMap(input.surface, uv);
-  const Certificate& certificate = map->certificate;
-  if (certificate.integers && certificate.integers->integer_gap) {
-    image.lattice = certificate.layout->rotation_order.value_or(0);
-  }
-  return WritePictures(job.view, job.picture, TitleOf(job), image, certificate, report);
+  image.lattice = lattice;
+  return WritePictures(job.view, job.picture, TitleOf(job), image, map->certificate, report);
 }
 
 /// Whether the names' formats can hold what is to be written.

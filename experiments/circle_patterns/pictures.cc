@@ -1,10 +1,13 @@
 #include "experiments/circle_patterns/pictures.h"
 
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/core/atomic_file.h"
+#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/io/io.h"
 #include "cirque/metrics/distortion_measure.h"
@@ -32,8 +35,29 @@ std::vector<std::string> MeasuresOfFaces() {
   return names;
 }
 
-std::vector<std::pair<std::string, std::string>> Facts(const Certificate& c) {
+/// "3 at 8 cones, 5 at 4 cones": how many of its sectors the pattern of a lattice has around cones.
+std::string SectorsAtCones(const UvMap& map, int order) {
+  std::map<long, int> cones_of;
+  for (const auto& cone : map.cones) ++cones_of[std::lround(cone.second * order / (2 * kPi))];
+  std::vector<std::string> texts;
+  for (const auto& [sectors, cones] : cones_of) {
+    texts.push_back(fmt::format("{} at {}", sectors, Count(cones, "cone")));
+  }
+  return Join(texts);
+}
+
+std::vector<std::pair<std::string, std::string>> Facts(const Certificate& c, const UvMap& map) {
   std::vector<std::pair<std::string, std::string>> facts = {{"outcome", c.outcome}};
+  if (map.lattice) {
+    const int order = OrderOf(*map.lattice);
+    facts.emplace_back("lattice", fmt::format("{}; seams and cones off it by at most {:.2g} cells",
+                                              order == 4 ? "squares" : "triangles",
+                                              c.integers->integer_gap.value_or(0)));
+    if (!map.cones.empty()) {
+      facts.emplace_back(fmt::format("sectors of the pattern, {} in the plane", order),
+                         SectorsAtCones(map, order));
+    }
+  }
   if (c.layout) {
     facts.emplace_back("flipped triangles", fmt::format("{}", c.layout->flipped_triangles));
     if (c.layout->cones) facts.emplace_back("cones", fmt::format("{}", *c.layout->cones));
@@ -61,7 +85,7 @@ Status WriteView(const std::string& path, const std::string& title, const UvMap&
                     "draws any number. The map itself is written",
                     faces, kMostViewedTriangles));
   }
-  const Status written = WriteFileAtomically(path, ViewPage(title, map, Facts(certificate)));
+  const Status written = WriteFileAtomically(path, ViewPage(title, map, Facts(certificate, map)));
   if (written.ok()) report << "view        " << path << "\n";
   return written;
 }

@@ -1,5 +1,6 @@
 #include "experiments/experiment_report/page.h"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -76,10 +77,13 @@ ShownMaps CollectMaps(const std::string& folder, const std::vector<Run>& runs,
       ++too_many;
       continue;
     }
-    const StatusOr<UvMap> map = ReadUvMap((std::filesystem::path(folder) / run.map).string());
+    StatusOr<UvMap> map = ReadUvMap((std::filesystem::path(folder) / run.map).string());
     if (!map.ok()) {
       maps.left_out.push_back("Not shown: " + map.status().message());
       continue;
+    }
+    if (!std::isnan(run.Value("integer_gap"))) {
+      map->lattice = LatticeOfOrder(static_cast<int>(run.Value("rotation_order")));
     }
     nlohmann::json view = MapPayload(*map);
     const std::size_t size = view["data"].get_ref<const std::string&>().size();

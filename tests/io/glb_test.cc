@@ -1,6 +1,5 @@
 // GLB as a reader of glTF 2.0 sees it.
-#include <zlib.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -11,9 +10,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cirque/io/file_input.h"
 #include "cirque/io/io.h"
+#include "cirque/io/lattice_texture.h"
+#include "cirque/io/mesh_formats.h"
+#include "cirque/math/lattice_pattern.h"
 
+#include "tests/io/glb_file.h"
 #include "tests/mesh/meshes.h"
 
 namespace cirque {
@@ -21,59 +23,13 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// A file's parts, every length in it checked.
-class Glb {
- public:
-  explicit Glb(const PolygonSoup& mesh) {
-    std::string bytes;
-    const TextPieces pieces = *FormatMesh("m.glb", mesh);
-    for (const std::string& piece : pieces) bytes += piece;
-    EXPECT_EQ(bytes.substr(0, 4), "glTF");
-    EXPECT_EQ(Number(bytes, 4), 2u);
-    EXPECT_EQ(Number(bytes, 8), bytes.size());
-    const std::uint32_t length = Number(bytes, 12);
-    EXPECT_EQ(length % 4, 0u);
-    EXPECT_EQ(bytes.substr(16, 4), "JSON");
-    json = nlohmann::json::parse(bytes.substr(20, length));
-    EXPECT_EQ(bytes.substr(24 + length, 4), std::string("BIN\0", 4));
-    buffer_ = bytes.substr(28 + length);
-    EXPECT_EQ(Number(bytes, 20 + length), buffer_.size());
-    EXPECT_EQ(json["buffers"][0]["byteLength"], buffer_.size());
-    for (const auto& view : json["bufferViews"]) {
-      EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0u);
-      EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
-                buffer_.size());
-    }
-  }
-
-  std::string View(int view) const {
-    const auto& v = json["bufferViews"][view];
-    return buffer_.substr(v["byteOffset"], v["byteLength"]);
-  }
-
-  /// The numbers of an accessor, `shape` a row.
-  template <class T>
-  std::vector<T> Accessor(int number, const std::string& shape, std::size_t row) const {
-    const auto& accessor = json["accessors"][number];
-    EXPECT_EQ(accessor["type"], shape);
-    const std::string bytes = View(accessor["bufferView"]);
-    EXPECT_EQ(bytes.size(), accessor["count"].get<std::size_t>() * row * sizeof(T));
-    std::vector<T> numbers;
-    for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
-      numbers.push_back(ReadBytes<T>(std::string_view(bytes).substr(at), ByteOrder::kLittle));
-    }
-    return numbers;
-  }
-
-  static std::uint32_t Number(const std::string& bytes, std::size_t at) {
-    return ReadBytes<std::uint32_t>(std::string_view(bytes).substr(at), ByteOrder::kLittle);
-  }
-
-  nlohmann::json json;
-
- private:
-  std::string buffer_;
-};
+/// The mesh as a reader has it.
+GlbFile Glb(const PolygonSoup& mesh) {
+  std::string bytes;
+  const TextPieces pieces = *FormatMesh("m.glb", mesh);
+  for (const std::string& piece : pieces) bytes += piece;
+  return GlbFile(bytes);
+}
 
 /// Two triangles, torn along their common edge.
 PolygonSoup TornSquare() {
@@ -85,7 +41,7 @@ PolygonSoup TornSquare() {
 }
 
 TEST(Glb, HoldsPointsTextureAndTrianglesWithVerticesSplitAtSeams) {
-  const Glb glb(TornSquare());
+  const GlbFile glb = Glb(TornSquare());
   EXPECT_EQ(glb.json["asset"]["version"], "2.0");
   const auto& primitive = glb.json["meshes"][0]["primitives"][0];
   const std::vector<float> position =
@@ -107,37 +63,23 @@ TEST(Glb, HoldsPointsTextureAndTrianglesWithVerticesSplitAtSeams) {
 }
 
 TEST(Glb, SaysHowMuchItWasRounded) {
-  const Glb glb(TornSquare());
+  const GlbFile glb = Glb(TornSquare());
   const auto& rounding = glb.json["meshes"][0]["extras"]["largest_rounding"];
   EXPECT_EQ(rounding["position"].get<double>(), std::abs(static_cast<double>(0.1F) - 0.1));
   EXPECT_EQ(rounding["texture"].get<double>(), 0);
 }
 
 TEST(Glb, ShowsACheckerboardOf32SquaresAcrossTheMap) {
-  const Glb glb(TornSquare());  // 6 units wide; the picture is two squares
+  const GlbFile glb = Glb(TornSquare());  // 6 units wide; the picture is two squares
   const auto& texture = glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   EXPECT_NEAR(texture["extensions"]["KHR_texture_transform"]["scale"][0].get<double>(), 16. / 6,
               1e-12);
   EXPECT_EQ(glb.json["extensionsUsed"][0], "KHR_texture_transform");
-  const std::string png = glb.View(glb.json["images"][0]["bufferView"]);
-  ASSERT_EQ(png.substr(0, 16), std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16));
-  const auto big = [&](std::size_t at) {
-    return ReadBytes<std::uint32_t>(std::string_view(png).substr(at), ByteOrder::kBig);
-  };
-  const std::uint32_t side = big(16);
-  const std::uint32_t packed = big(33);
-  ASSERT_EQ(png.substr(37, 4), "IDAT");
-  EXPECT_EQ(big(41 + packed), crc32(0, reinterpret_cast<const Bytef*>(&png[37]), packed + 4));
-  std::string rows(side * (side + 1), '\0');
-  uLongf size = rows.size();
-  ASSERT_EQ(uncompress(reinterpret_cast<Bytef*>(rows.data()), &size,
-                       reinterpret_cast<const Bytef*>(&png[41]), packed),
-            Z_OK);
-  ASSERT_EQ(size, rows.size());
-  const auto pixel = [&](std::uint32_t x, std::uint32_t y) { return rows[y * (side + 1) + 1 + x]; };
-  EXPECT_EQ(pixel(0, 0), pixel(side - 1, side - 1));
-  EXPECT_EQ(pixel(0, side - 1), pixel(side - 1, 0));
-  EXPECT_NE(pixel(0, 0), pixel(side - 1, 0));
+  const SquarePicture picture(glb.View(glb.json["images"][0]["bufferView"]));
+  const int last = picture.side - 1;
+  EXPECT_EQ(picture.At(0, 0), picture.At(last, last));
+  EXPECT_EQ(picture.At(0, last), picture.At(last, 0));
+  EXPECT_NE(picture.At(0, 0), picture.At(last, 0));
 }
 
 TEST(Glb, CutsPolygonsIntoTrianglesInsideThem) {
@@ -145,7 +87,7 @@ TEST(Glb, CutsPolygonsIntoTrianglesInsideThem) {
   PolygonSoup soup = testing::MakeSoup(
       {{0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}}, {{0, 1, 2, 3, 4, 5}});
   const auto area = [](const PolygonSoup& mesh) {
-    const Glb glb(mesh);
+    const GlbFile glb = Glb(mesh);
     const int indices = glb.json["meshes"][0]["primitives"][0]["indices"];
     const std::vector<std::uint32_t> corner = glb.Accessor<std::uint32_t>(indices, "SCALAR", 1);
     EXPECT_EQ(corner.size(), 12u);
@@ -162,6 +104,106 @@ TEST(Glb, CutsPolygonsIntoTrianglesInsideThem) {
   for (const Eigen::Vector3d& p : soup.position) soup.texture.emplace_back(p.x(), p.y());
   soup.corner_texture = soup.corner;
   EXPECT_NEAR(area(soup), 3, 1e-12);
+}
+
+/// The square of side 2 with its lower left corner at 0, as places of a map too.
+PolygonSoup TwoByTwo() {
+  PolygonSoup soup =
+      testing::MakeSoup({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}});
+  for (const Eigen::Vector3d& p : soup.position) soup.texture.emplace_back(p.x(), p.y());
+  soup.corner_texture = soup.corner;
+  return soup;
+}
+
+TEST(Glb, OfALatticeShowsOnePeriodOfItsPatternThatRepeats) {
+  for (const LatticeKind kind : {LatticeKind::kSquares, LatticeKind::kTriangles}) {
+    const PolygonSoup soup = TwoByTwo();
+    std::string bytes;
+    for (const std::string& piece : FormatLatticeGlb(soup, {kind, {}})) bytes += piece;
+    const GlbFile glb(bytes);
+    EXPECT_FALSE(glb.json.contains("extensionsUsed"));
+    EXPECT_EQ(glb.json["samplers"][0]["wrapS"], 10497);
+    EXPECT_EQ(glb.json["samplers"][0]["wrapT"], 10497);
+    EXPECT_EQ(glb.json["nodes"].size(), 1u);
+    const auto& mesh = glb.json["meshes"][0];
+    const auto uv =
+        glb.Accessor<float>(mesh["primitives"][0]["attributes"]["TEXCOORD_0"], "VEC2", 2);
+    ASSERT_EQ(uv.size(), 8u);
+    Eigen::Matrix2d periods;
+    for (int k = 0; k < 2; ++k) {
+      for (int i = 0; i < 2; ++i) periods(i, k) = mesh["extras"]["texture_periods"][k][i];
+    }
+    EXPECT_NEAR(periods.determinant(), kind == LatticeKind::kSquares ? 1 : std::sqrt(0.75), 1e-15);
+    std::vector<Eigen::Vector2d> place;
+    for (std::size_t v = 0; v < 4; ++v) {
+      place.emplace_back(uv[2 * v], uv[2 * v + 1]);
+      const Eigen::Vector2d back = periods * Eigen::Vector2d(uv[2 * v], 1 - uv[2 * v + 1]);
+      EXPECT_LT((back - soup.texture[v]).norm(), 1e-6);
+    }
+    // What the square shows is the pattern: light, or dark, where that is far from its edges.
+    const SquarePicture picture(glb.View(glb.json["images"][0]["bufferView"]));
+    ASSERT_EQ(picture.channels, 3);
+    int seen[2] = {0, 0};
+    for (int i = 0; i <= 40; ++i) {
+      for (int j = 0; j <= 40; ++j) {
+        const double x = i / 40., y = j / 40.;
+        const double distance = PatternDistance(kind, {2 * x, 2 * y});
+        if (std::abs(distance) < 0.02) continue;
+        const Eigen::Vector2d at = place[0] + x * (place[1] - place[0]) + y * (place[3] - place[0]);
+        for (int k = 0; k < 3; ++k) {
+          const float colour = distance > 0 ? kPatternDark[k] : kPatternLight[k];
+          EXPECT_NEAR(picture.Sample(at, k), 255 * colour, 1) << x << " " << y;
+        }
+        ++seen[distance > 0];
+      }
+    }
+    EXPECT_GT(std::min(seen[0], seen[1]), 300);
+  }
+}
+
+TEST(Glb, OfALatticeMarksConesByWhatTheirAngleIs) {
+  const LatticeTexture lattice = {LatticeKind::kSquares,
+                                  {{{0, 0, 0}, 1.5 * kPi}, {{2, 0, 0}, 2.5 * kPi}, {{2, 2, 0}, 3}}};
+  std::string bytes;
+  for (const std::string& piece : FormatLatticeGlb(TwoByTwo(), lattice)) bytes += piece;
+  const GlbFile glb(bytes);
+  std::vector<std::vector<double>> less, more;
+  for (const auto& node : glb.json["scenes"][0]["nodes"]) {
+    const auto& shown = glb.json["nodes"][node.get<int>()];
+    if (!shown.contains("children")) continue;
+    const std::string name = shown["name"];
+    for (const auto& child : shown["children"]) {
+      const auto& mark = glb.json["nodes"][child.get<int>()];
+      std::vector<double> row = mark["translation"];
+      row.push_back(mark["extras"]["angle_sum"]);
+      (name == "cones_of_less_than_2_pi" ? less : more).push_back(row);
+      const auto& primitive = glb.json["meshes"][mark["mesh"].get<int>()]["primitives"][0];
+      EXPECT_EQ(glb.Accessor<std::uint32_t>(primitive["indices"], "SCALAR", 1).size(), 24u);
+    }
+  }
+  EXPECT_THAT(less, ElementsAre(ElementsAre(0, 0, 0, 1.5 * kPi), ElementsAre(2, 2, 0, 3)));
+  EXPECT_THAT(more, ElementsAre(ElementsAre(2, 0, 0, 2.5 * kPi)));
+}
+
+TEST(Glb, AMarkIsAClosedOctahedronSeenFromOutside) {
+  std::string bytes;
+  const LatticeTexture lattice = {LatticeKind::kTriangles, {{{0, 0, 0}, 1}}};
+  for (const std::string& piece : FormatLatticeGlb(TwoByTwo(), lattice)) bytes += piece;
+  const GlbFile glb(bytes);
+  const auto& primitive = glb.json["meshes"][1]["primitives"][0];
+  const auto x = glb.Accessor<float>(primitive["attributes"]["POSITION"], "VEC3", 3);
+  const auto corner = glb.Accessor<std::uint32_t>(primitive["indices"], "SCALAR", 1);
+  double volume = 0;
+  for (std::size_t c = 0; c < corner.size(); c += 3) {
+    const auto at = [&](std::size_t k) {
+      const std::size_t v = 3 * corner[c + k];
+      return Eigen::Vector3d(x[v], x[v + 1], x[v + 2]);
+    };
+    const double part = at(0).cross(at(1)).dot(at(2)) / 6;
+    EXPECT_GT(part, 0);
+    volume += part;
+  }
+  EXPECT_NEAR(volume, 4. / 3, 1e-6);
 }
 
 TEST(Glb, RefusesWhatSinglePrecisionCannotHold) {

@@ -42,24 +42,6 @@ Surface Pillow(int columns, int rows, double width, double height) {
   return SurfaceOf(soup);
 }
 
-TEST(NearestInLattice, IsTheNearestOfAll) {
-  for (const LatticeKind kind : {LatticeKind::kSquares, LatticeKind::kTriangles}) {
-    const double height = kind == LatticeKind::kSquares ? 1 : std::sqrt(3.) / 2;
-    for (int s = 0; s < 200; ++s) {
-      const Eigen::Vector2d p(6 * std::fmod(0.618034 * s, 1) - 3,
-                              6 * std::fmod(0.754878 * s, 1) - 3);
-      double least = 100;
-      for (int j = -6; j <= 6; ++j) {
-        for (int i = -10; i <= 10; ++i) {
-          const double x = kind == LatticeKind::kSquares ? i : i + j / 2.;
-          least = std::min(least, (Eigen::Vector2d(x, j * height) - p).norm());
-        }
-      }
-      EXPECT_NEAR((NearestInLattice(kind, p) - p).norm(), least, 1e-12);
-    }
-  }
-}
-
 /// Cones at lattice points, and every edge's two sides related by a motion of the lattice.
 void ExpectLatticeMap(const FlatDomain& domain, LatticeKind kind, const LatticeMap& map) {
   using Complex = std::complex<double>;

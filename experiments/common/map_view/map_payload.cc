@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cirque/io/png.h"
+#include "cirque/math/lattice_pattern.h"
 #include "cirque/metrics/distortion_measure.h"
 #include "cirque/metrics/mapped_faces.h"
 #include "cirque/metrics/measure_files.h"
@@ -140,6 +141,20 @@ std::string CssColour(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
+/// What the viewer draws a lattice by: a period of its pattern as distances, so that edges are sharp at any
+/// zoom, and the way from the plane into periods, columns first.
+nlohmann::json LatticePayload(LatticeKind kind) {
+  constexpr int kSide = 128;
+  constexpr double kSlope = 1.5;  // distances of up to a third of a cell
+  const Eigen::Vector2d x = InPeriods(kind, {1, 0}), y = InPeriods(kind, {0, 1});
+  const std::vector<std::uint8_t> tile = PatternTile(kind, kSide, kSlope);
+  return {{"order", OrderOf(kind)},
+          {"to_periods", {x.x(), x.y(), y.x(), y.y()}},
+          {"side", kSide},
+          {"slope", kSlope},
+          {"tile", Base64(Deflate({tile.begin(), tile.end()}))}};
+}
+
 }  // namespace
 
 nlohmann::json MapPayload(const UvMap& map) {
@@ -164,15 +179,17 @@ nlohmann::json MapPayload(const UvMap& map) {
   }
   nlohmann::json cones = nlohmann::json::array();
   for (const auto& [vertex, sum] : map.cones) cones.push_back({order.number[vertex], sum});
-  return {{"faces", mesh.num_faces()},
-          {"vertices", mesh.num_vertices},
-          {"points", map.point_vertex.size()},
-          {"sphere", map.IsOnSphere()},
-          {"seams", map.seams.size()},
-          {"boundary", map.boundary.size()},
-          {"boxes", boxes},
-          {"cones", cones},
-          {"data", Base64(Deflate(stream.bytes()))}};
+  nlohmann::json payload = {{"faces", mesh.num_faces()},
+                            {"vertices", mesh.num_vertices},
+                            {"points", map.point_vertex.size()},
+                            {"sphere", map.IsOnSphere()},
+                            {"seams", map.seams.size()},
+                            {"boundary", map.boundary.size()},
+                            {"boxes", boxes},
+                            {"cones", cones},
+                            {"data", Base64(Deflate(stream.bytes()))}};
+  if (map.lattice) payload["lattice"] = LatticePayload(*map.lattice);
+  return payload;
 }
 
 nlohmann::json ColourScales() {

@@ -38,7 +38,8 @@ std::string Base64(const std::string& bytes);
 /// deflated lists in base64: x, y, z of the vertices, u, v of the points (of the sphere u, v, w), two colours a face (16
 /// bits each, from the low to the high end of the box or the colour scale), then the vertex of each
 /// point, the point of each corner, seams and boundary (32 bits each). Vertices are renumbered in
-/// the order in which the corners meet them.
+/// the order in which the corners meet them. Of a map on a lattice "lattice" has a period of its pattern
+/// (PatternTile, deflated, in base64) and how the plane leads into it.
 nlohmann::json MapPayload(const UvMap& map);
 
 /// The colour scales of the two measures that the viewer shows, of the same ranges for every map:

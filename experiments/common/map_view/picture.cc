@@ -131,8 +131,8 @@ class Picture {
   void AddLegend(const MappedFaces& faces) {
     const double first = kTop + kPanel + 20, second = first + 28, third = second + 28;
     AddText(kGap, first,
-            map_.lattice > 0 ? "surface, with the lattice of its image"
-                             : "surface, with the squares of its image");
+            map_.lattice ? "surface, with the lattice of its image"
+                         : "surface, with the squares of its image");
     AddText(kSecond, first, map_.IsOnSphere() ? "image on the sphere, from both sides" : "image");
     AddText(kGap, third, Figures(faces), "quiet");
     AddSigns(second);

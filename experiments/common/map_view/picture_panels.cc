@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cirque/lattice/lattice_map.h"
+#include "cirque/math/lattice_pattern.h"
 
 namespace cirque {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kTowards = 0.01;  ///< of lines before the surface that they li
 constexpr double kGlobe = 106;     ///< radius of a side of the sphere, in units
 constexpr double kSteepest = 0.9999;
 constexpr double kManyShare = 0.3;  ///< of the area that looks one way, beyond which that counts
-const Rgb kDark(0.24f, 0.42f, 0.62f), kLight(0.95f, 0.93f, 0.88f), kFlipped(0.85f, 0.1f, 0.1f);
+const Rgb kDark(kPatternDark.data()), kLight(kPatternLight.data()), kFlipped(0.85f, 0.1f, 0.1f);
 
 /// The middle of a box and the largest distance from it.
 struct Extent {
@@ -86,11 +86,9 @@ Rgb CheckAt(const Eigen::Vector2d& place, double width) {
   return Blurred(odd ? kLight : kDark, width);
 }
 
-/// Dots on the points of a lattice of triangles, which its rotations take to themselves.
-Rgb DotAt(const Eigen::Vector2d& place, double width) {
-  constexpr double kRadius = 0.3;
-  const double from = (NearestInLattice(LatticeKind::kTriangles, place) - place).norm();
-  return Blurred(from < kRadius ? kDark : kLight, width);
+/// The pattern of a lattice, which its rotations take to itself.
+Rgb PatternAt(LatticeKind kind, const Eigen::Vector2d& place, double width) {
+  return Blurred(PatternDistance(kind, place) > 0 ? kDark : kLight, width);
 }
 
 /// Where Mercator's projection, times a whole number of squares, has a point of the sphere.
@@ -133,7 +131,7 @@ class Stage {
   }
 
   void DrawSeams(Raster* raster) const {
-    if (map_.lattice > 0) return;  // there is nothing to be seen there
+    if (map_.lattice) return DrawCones(raster);  // along seams there is nothing to be seen
     const Rgb colour(kSeamColour[0], kSeamColour[1], kSeamColour[2]);
     const Eigen::Vector3d towards(0, 0, -kTowards);
     for (const Index h : map_.seams) {
@@ -160,12 +158,23 @@ class Stage {
   }
   double X(double x) const { return scale_ * (kPanel / 2 + x * (kPanel / 2 - kMargin)); }
 
-  /// In pairs of squares, or dots. On a lattice whole ones, the points in the middle of a square.
+  /// Dots in the colours of the picture's other ones: there a lattice's pattern has another number of sectors.
+  void DrawCones(Raster* raster) const {
+    for (const auto& [vertex, sum] : map_.cones) {
+      for (const bool ring : {true, false}) {
+        const Eigen::Vector3d at =
+            place_[vertex] - Eigen::Vector3d(0, 0, (ring ? 1 : 2) * kTowards);
+        const auto& colour = sum < 2 * kPi ? kLessColour : kMoreColour;
+        raster->Line(at, at, (ring ? 7 : 5) * scale_, ring ? Rgb(1, 1, 1) : Rgb(colour));
+      }
+    }
+  }
+
+  /// In pairs of squares; on a lattice in its periods, a whole number of them to a cell.
   Eigen::Vector2d OnImage(Index h) const {
     const double many = kChecks / image_.radius;
-    if (map_.lattice == 0) return many * (map_.uv.value[h] - image_.middle.head<2>());
-    const Eigen::Vector2d whole = std::max(1., std::round(many)) * map_.uv.value[h];
-    return map_.lattice == 4 ? Eigen::Vector2d(whole.array() + 0.25) : whole;
+    if (!map_.lattice) return many * (map_.uv.value[h] - image_.middle.head<2>());
+    return std::max(1., std::round(many)) * map_.uv.value[h];
   }
 
   void DrawFace(Index f, Raster* raster) const {
@@ -186,7 +195,7 @@ class Stage {
         place = Mercator(b[0] * map_.on_sphere[v[0]] + b[1] * map_.on_sphere[v[1]] +
                          b[2] * map_.on_sphere[v[2]]);
       }
-      if (map_.lattice == 6) return LightOn(normal, 0.42) * DotAt(place, width);
+      if (map_.lattice) return LightOn(normal, 0.42) * PatternAt(*map_.lattice, place, width);
       return LightOn(normal, 0.42) * CheckAt(place, map_.IsOnSphere() ? 0 : width);
     });
   }

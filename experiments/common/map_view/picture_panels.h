@@ -14,8 +14,11 @@ inline constexpr double kPanel = 450;
 /// The colour of seams, as the viewer's.
 inline constexpr float kSeamColour[3] = {0.88f, 0.12f, 0.35f};
 
-/// The surface with squares that are those of its image, seams on it, as a square picture of
-/// `scale` pixels a unit.
+/// And those of cones of less and of more than a full angle.
+inline constexpr float kLessColour[3] = {0.93f, 0.45f, 0.05f}, kMoreColour[3] = {0.5f, 0.2f, 0.75f};
+
+/// The surface with squares that are those of its image, seams on it, as a square picture of `scale` pixels a
+/// unit; of a map on a lattice with the lattice's pattern, and cones on it.
 Image SurfacePanel(const UvMap& map, double scale);
 
 /// The image's faces in these colours: the plane's fitted into a panel, or both sides of the sphere.

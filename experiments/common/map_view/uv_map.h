@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/status.h"
+#include "cirque/math/unit_lattice.h"
 #include "cirque/mesh/surface.h"
 
 namespace cirque {
@@ -27,8 +29,8 @@ struct UvMap {
   std::vector<Index> boundary;             ///< halfedges on the surface's boundary
   std::vector<std::pair<Index, double>> cones;  ///< interior vertices, angle sum in the image [rad]
 
-  /// 4, 6: it repeats by the unit lattice of that order (LatticeKind); 0: it need not.
-  int lattice = 0;
+  /// What the image repeats by: its seams take this lattice to itself; none: they need not.
+  std::optional<LatticeKind> lattice;
 
   bool IsOnSphere() const { return !on_sphere.empty(); }
 };

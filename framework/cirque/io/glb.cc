@@ -1,134 +1,35 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
-#include <utility>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "cirque/io/glb_document.h"
+#include "cirque/io/glb_texture.h"
+#include "cirque/io/lattice_texture.h"
 #include "cirque/io/mesh_formats.h"
-#include "cirque/io/png.h"
+#include "cirque/io/polygon_triangles.h"
 
 namespace cirque {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = GlbDocument::Json;
+using Row = std::array<double, 3>;
 
-// Numbers of the glTF 2.0 specification.
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2;
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr int kUnsignedInt = 5125, kFloat = 5126;
-constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
-constexpr int kNearest = 9728, kLinearMipmapLinear = 9987, kRepeat = 10497;
+constexpr double kMarkSize = 0.008;  ///< radius of a cone's mark, as a part of the mesh's diagonal
+const Eigen::Vector3d kLess(0.93, 0.45, 0.05), kMore(0.5, 0.2, 0.75);  ///< colours of marks
 
-constexpr double kSquaresAcross = 32;  // of the checkerboard, on the map's longer side
-constexpr int kSquaresAPicture = 2, kPixelsASquare = 32;
+Row RowOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-template <class T>
-void Append(T value, std::string* bytes) {
-  const std::size_t at = bytes->size();
-  bytes->resize(at + sizeof value);
-  for (std::size_t i = 0; i < sizeof value; ++i) {  // little-endian
-    (*bytes)[at + i] = static_cast<char>((value >> (8 * i)) & 0xFF);
-  }
-}
-
-void AppendFloat(double value, std::string* bytes, double* rounding) {
-  const auto rounded = static_cast<float>(value);
-  *rounding = std::max(*rounding, std::abs(static_cast<double>(rounded) - value));
-  std::uint32_t bits;
-  std::memcpy(&bits, &rounded, sizeof bits);
-  Append(bits, bytes);
-}
-
-/// Two by two squares, light and dark, as PNG of two grey levels.
-std::string CheckerPng() {
-  constexpr int kSide = kSquaresAPicture * kPixelsASquare;
-  std::string rows;
-  for (int y = 0; y < kSide; ++y) {
-    rows += '\0';  // no filter
-    for (int x = 0; x < kSide; ++x) {
-      const bool is_light = (x / kPixelsASquare + y / kPixelsASquare) % 2 == 0;
-      rows += static_cast<char>(is_light ? 235 : 110);
-    }
-  }
-  return FormatPng(kSide, kSide, PngColour::kGrey, rows);
-}
-
-using Polygon = std::vector<Eigen::Vector2d>;
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-/// The polygon in its map's plane, else in the plane that it is nearest to, counter-clockwise.
-Polygon Flat(const PolygonSoup& mesh, Index begin, Index end) {
-  Polygon points;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  bool textured = !mesh.corner_texture.empty();
-  for (Index c = begin; c < end; ++c) {
-    const Eigen::Vector3d& origin = mesh.position[mesh.corner[begin]];
-    const Index next = c + 1 < end ? c + 1 : begin;
-    normal +=
-        (mesh.position[mesh.corner[c]] - origin).cross(mesh.position[mesh.corner[next]] - origin);
-    textured = textured && mesh.corner_texture[c] != kNone;
-  }
-  Eigen::Index axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);
-  for (Index c = begin; c < end; ++c) {
-    const Eigen::Vector3d& p = mesh.position[mesh.corner[c]];
-    points.push_back(textured ? mesh.texture[mesh.corner_texture[c]]
-                              : Eigen::Vector2d(p[(axis + 1) % 3], p[(axis + 2) % 3]));
-  }
-  double area = 0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    area += Cross(points[0], points[i], points[i + 1]);
-  }
-  if (area < 0) {
-    for (Eigen::Vector2d& point : points) point.x() = -point.x();
-  }
-  return points;
-}
-
-/// Whether the corner in the middle of three may be cut off: convex, and no other corner in it.
-bool IsEar(const Polygon& points, const std::vector<int>& left, std::size_t i) {
-  const std::size_t n = left.size();
-  const int before = left[(i + n - 1) % n], at = left[i], after = left[(i + 1) % n];
-  const Eigen::Vector2d &a = points[before], &b = points[at], &c = points[after];
-  if (!(Cross(a, b, c) > 0)) return false;
-  return std::none_of(left.begin(), left.end(), [&](int other) {
-    if (other == before || other == at || other == after) return false;
-    const Eigen::Vector2d& p = points[other];
-    return Cross(a, b, p) >= 0 && Cross(b, c, p) >= 0 && Cross(c, a, p) >= 0;
-  });
-}
-
-/// Calls add(i, j, k) for triangles of the polygon's corners: ears, one after the other; what has
-/// none is cut from its first corner.
-template <class Add>
-void CutIntoTriangles(const Polygon& points, const Add& add) {
-  std::vector<int> left(points.size());
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
-  while (left.size() > 3) {
-    std::size_t ear = 0;
-    while (ear < left.size() && !IsEar(points, left, ear)) ++ear;
-    if (ear == left.size()) ear = 1;
-    const std::size_t n = left.size();
-    add(left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]);
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  add(left[0], left[1], left[2]);
-}
-
-/// The buffer, and the views and accessors into it.
 class GlbWriter {
  public:
-  explicit GlbWriter(const PolygonSoup& mesh) : mesh_(mesh) {
+  GlbWriter(const PolygonSoup& mesh, const LatticeTexture* lattice)
+      : mesh_(mesh), lattice_(lattice) {
+    if (lattice) kind_ = lattice->kind;
     if (!mesh.texture.empty()) {
       split_ = SplitAtSeams(mesh);
     } else {
@@ -140,144 +41,136 @@ class GlbWriter {
   }
 
   TextPieces Write() {
-    AddPositions();
-    if (!mesh_.texture.empty()) AddTexture();
-    AddTriangles();
-    DescribeMesh();
-    return Assemble();
+    AddMesh();
+    if (lattice_) {
+      AddMarks("cones_of_less_than_2_pi", kLess, true);
+      AddMarks("cones_of_more_than_2_pi", kMore, false);
+    }
+    Json scene = Json::array();
+    for (const int node : shown_) scene.push_back(node);
+    document_.Add("scenes", {{"nodes", scene}});
+    document_.json()["scene"] = 0;
+    return document_.Assemble();
   }
 
  private:
-  /// Ends the view that began at `begin`; returns its number.
-  int AddView(std::size_t begin, int target) {
-    Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", buffer_.size() - begin}};
-    if (target != 0) view["target"] = target;
-    document_["bufferViews"].push_back(view);
-    buffer_.resize((buffer_.size() + 3) / 4 * 4);
-    return static_cast<int>(document_["bufferViews"].size()) - 1;
-  }
-
-  Json& AddAccessor(int view, int type, std::size_t count, const char* shape) {
-    document_["accessors"].push_back(
-        {{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", shape}});
-    return document_["accessors"].back();
-  }
-
-  void AddPositions() {
+  template <class PositionOf>
+  int AddPositions(std::size_t count, const PositionOf& position_of) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max());
     Eigen::Vector3f high = -low;
-    double& rounding = position_rounding_;
-    for (const Index v : split_.vertex) {
-      for (const double x : mesh_.position[v]) AppendFloat(x, &buffer_, &rounding);
-      low = low.cwiseMin(mesh_.position[v].cast<float>());
-      high = high.cwiseMax(mesh_.position[v].cast<float>());
+    for (std::size_t v = 0; v < count; ++v) {
+      const Eigen::Vector3d p = position_of(v);
+      for (const double x : p) document_.PutFloat(x, &position_rounding_);
+      low = low.cwiseMin(p.cast<float>());
+      high = high.cwiseMax(p.cast<float>());
     }
-    Json& accessor = AddAccessor(AddView(0, kArrayBuffer), kFloat, split_.vertex.size(), "VEC3");
-    accessor["min"] = {low.x(), low.y(), low.z()};
-    accessor["max"] = {high.x(), high.y(), high.z()};
+    const int accessor = document_.EndFloats(count, "VEC3");
+    Json& json = document_.json()["accessors"][accessor];
+    json["min"] = {low.x(), low.y(), low.z()};
+    json["max"] = {high.x(), high.y(), high.z()};
+    return accessor;
   }
 
-  void AddTexture() {
-    const std::size_t begin = buffer_.size();
+  int AddTexture() {
     for (const Index t : split_.texture) {
-      const Eigen::Vector2d uv = t == kNone ? Eigen::Vector2d::Zero() : mesh_.texture[t];
-      AppendFloat(uv.x(), &buffer_, &texture_rounding_);
-      AppendFloat(1 - uv.y(), &buffer_, &texture_rounding_);
+      const Eigen::Vector2d uv = t == kNone ? Eigen::Vector2d(0, 0) : mesh_.texture[t];
+      for (const double x : InPicture(uv, kind_)) document_.PutFloat(x, &texture_rounding_);
     }
-    AddAccessor(AddView(begin, kArrayBuffer), kFloat, split_.vertex.size(), "VEC2");
+    return document_.EndFloats(split_.vertex.size(), "VEC2");
   }
 
-  void AddTriangles() {
-    const std::size_t begin = buffer_.size();
-    const auto put = [&](Index corner) {
-      Append(static_cast<std::uint32_t>(split_.corner[corner]), &buffer_);
-    };
+  int AddTriangles() {
     for (Index p = 0; p < mesh_.num_polygons(); ++p) {
-      const Index first = mesh_.first_corner[p], end = mesh_.first_corner[p + 1];
-      if (end - first == 3) {
-        for (Index c = first; c < end; ++c) put(c);
-        continue;
+      for (const auto& triangle : TrianglesOfPolygon(mesh_, p)) {
+        for (const Index c : triangle) {
+          document_.PutIndex(static_cast<std::uint32_t>(split_.corner[c]));
+        }
       }
-      CutIntoTriangles(Flat(mesh_, first, end), [&](int i, int j, int k) {
-        for (const int c : {i, j, k}) put(first + c);
-      });
     }
-    const std::size_t count = (buffer_.size() - begin) / sizeof(std::uint32_t);
-    AddAccessor(AddView(begin, kElementArrayBuffer), kUnsignedInt, count, "SCALAR");
+    return document_.EndIndices();
   }
 
-  /// How many times the checkerboard's picture is laid along a unit of the map.
-  double PicturesAUnit() const {
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& uv : mesh_.texture) box.extend(uv);
-    const double longest = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-    return longest > 0 ? kSquaresAcross / kSquaresAPicture / longest : 1;
+  void AddMesh() {
+    const int position = AddPositions(
+        split_.vertex.size(), [&](std::size_t v) { return mesh_.position[split_.vertex[v]]; });
+    Json primitive = {{"attributes", {{"POSITION", position}}}};
+    const bool is_textured = !mesh_.texture.empty();
+    if (is_textured) primitive["attributes"]["TEXCOORD_0"] = AddTexture();
+    primitive["indices"] = AddTriangles();
+    primitive["material"] = document_.Add(
+        "materials", is_textured ? TexturedMaterial(mesh_, kind_, &document_) : PlainMaterial());
+    Json extras = {
+        {"rounded_to", "single precision"},
+        {"largest_rounding", {{"position", position_rounding_}, {"texture", texture_rounding_}}}};
+    if (kind_) extras["texture_periods"] = Periods();
+    const int mesh =
+        document_.Add("meshes", {{"primitives", Json::array({primitive})}, {"extras", extras}});
+    shown_.push_back(document_.Add("nodes", {{"mesh", mesh}}));
   }
 
-  void DescribeMesh() {
-    Json primitive = {{"attributes", {{"POSITION", 0}}},
-                      {"indices", static_cast<int>(document_["accessors"].size()) - 1},
-                      {"material", 0}};
-    Json material = {{"doubleSided", true},
-                     {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
-    if (!mesh_.texture.empty()) {
-      primitive["attributes"]["TEXCOORD_0"] = 1;
-      const double scale = PicturesAUnit();
-      material["pbrMetallicRoughness"]["baseColorTexture"] = {
-          {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {scale, scale}}}}}}};
-      AddPicture();
+  /// In the map's plane, what a unit of either texture coordinate is.
+  Json Periods() const {
+    const Lattice periods = PeriodsOf(*kind_);
+    return {{periods.first.real(), periods.first.imag()},
+            {periods.second.real(), periods.second.imag()}};
+  }
+
+  /// One octahedron, shown at each cone of less than a full angle, or of more.
+  void AddMarks(const char* name, const Eigen::Vector3d& colour, bool less) {
+    std::vector<ConeMark> marks;
+    for (const ConeMark& cone : lattice_->cones) {
+      if ((cone.angle_sum < 2 * kPi) == less) marks.push_back(cone);
     }
-    document_["materials"] = Json::array({material});
-    document_["meshes"] =
-        Json::array({{{"primitives", Json::array({primitive})},
-                      {"extras",
-                       {{"rounded_to", "single precision"},
-                        {"largest_rounding",
-                         {{"position", position_rounding_}, {"texture", texture_rounding_}}}}}}});
-    document_["nodes"] = Json::array({{{"mesh", 0}}});
-    document_["scenes"] = Json::array({{{"nodes", {0}}}});
-    document_["scene"] = 0;
+    if (marks.empty()) return;
+    Json primitive = {{"attributes", {{"POSITION", AddPositions(6, [](std::size_t v) {
+                                         const auto axis = static_cast<Eigen::Index>(v / 2);
+                                         const double sign = v % 2 == 0 ? 1 : -1;
+                                         return Eigen::Vector3d(sign * Eigen::Vector3d::Unit(axis));
+                                       })}}}};
+    for (const std::uint32_t x : {0, 1}) {
+      for (const std::uint32_t y : {2, 3}) {
+        for (const std::uint32_t z : {4, 5}) {
+          const bool is_turned = (x + y + z) % 2 == 1;  // outwards all
+          for (const std::uint32_t corner : {x, is_turned ? z : y, is_turned ? y : z}) {
+            document_.PutIndex(corner);
+          }
+        }
+      }
+    }
+    primitive["indices"] = document_.EndIndices();
+    primitive["material"] = document_.Add("materials", PlainMaterial(colour));
+    const int mesh = document_.Add("meshes", {{"primitives", Json::array({primitive})}});
+    Json children = Json::array();
+    for (const ConeMark& mark : marks) children.push_back(AddMark(mesh, mark));
+    shown_.push_back(document_.Add("nodes", {{"name", name}, {"children", children}}));
   }
 
-  void AddPicture() {
-    const std::size_t begin = buffer_.size();
-    buffer_ += CheckerPng();
-    document_["images"] = Json::array(
-        {{{"bufferView", AddView(begin, 0)}, {"mimeType", "image/png"}, {"name", "checkers"}}});
-    document_["samplers"] = Json::array({{{"magFilter", kNearest},
-                                          {"minFilter", kLinearMipmapLinear},
-                                          {"wrapS", kRepeat},
-                                          {"wrapT", kRepeat}}});
-    document_["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
-    document_["extensionsUsed"] = Json::array({"KHR_texture_transform"});
-  }
-
-  TextPieces Assemble() {
-    document_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-    std::string json = document_.dump();
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string head, between;
-    Append(kMagic, &head);
-    Append(kVersion, &head);
-    const std::size_t kHeaders = 12 + 8 + 8;
-    Append(static_cast<std::uint32_t>(kHeaders + json.size() + buffer_.size()), &head);
-    Append(static_cast<std::uint32_t>(json.size()), &head);
-    Append(kJsonChunk, &head);
-    Append(static_cast<std::uint32_t>(buffer_.size()), &between);
-    Append(kBinaryChunk, &between);
-    return {head, json, between, std::move(buffer_)};
+  int AddMark(int mesh, const ConeMark& mark) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : mesh_.position) box.extend(p);
+    const double size = kMarkSize * box.diagonal().norm();
+    return document_.Add("nodes", {{"mesh", mesh},
+                                   {"translation", RowOf(mark.position)},
+                                   {"scale", Row{size, size, size}},
+                                   {"extras", {{"angle_sum", mark.angle_sum}}}});
   }
 
   const PolygonSoup& mesh_;
+  const LatticeTexture* lattice_;
+  std::optional<LatticeKind> kind_;
   SplitVertices split_;
-  std::string buffer_;
   double position_rounding_ = 0, texture_rounding_ = 0;
-  Json document_ = {{"asset", {{"version", "2.0"}, {"generator", "Cirque"}}}};
+  std::vector<int> shown_;  ///< the nodes of the scene
+  GlbDocument document_;
 };
 
 }  // namespace
 
-TextPieces FormatGlb(const PolygonSoup& mesh) { return GlbWriter(mesh).Write(); }
+TextPieces FormatGlb(const PolygonSoup& mesh) { return GlbWriter(mesh, nullptr).Write(); }
+
+TextPieces FormatLatticeGlb(const PolygonSoup& mesh, const LatticeTexture& lattice) {
+  return GlbWriter(mesh, &lattice).Write();
+}
 
 std::string ProblemAsGlb(const PolygonSoup& mesh) {
   constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());

@@ -201,6 +201,12 @@ Status WriteHomogeneousObj(const std::string& path, const PolygonSoup& mesh,
   return WriteFileAtomically(path, FormatHomogeneousObj(mesh, texture, group));
 }
 
+Status WriteLatticeGlb(const std::string& path, const PolygonSoup& mesh,
+                       const LatticeTexture& lattice) {
+  const Status status = CheckHolds(*MeshFormats().Find("glb"), mesh);
+  return status.ok() ? WriteFileAtomically(path, FormatLatticeGlb(mesh, lattice)) : status.In(path);
+}
+
 Status WriteTexturedMesh(const std::string& path, const MeshFile& source,
                          const PolygonSoup& textured) {
   const bool is_same = textured.first_corner == source.soup.first_corner &&

@@ -10,6 +10,8 @@
 
 namespace cirque {
 
+struct LatticeTexture;
+
 /// The formats of meshes, by the extension of a file's name (any case):
 ///
 ///   obj   Wavefront OBJ                   read and written     the whole file is kept, see
@@ -19,7 +21,8 @@ namespace cirque {
 ///   stl   STL, text or binary             read
 ///   om    OpenMesh's own, binary          read                 positions and polygons
 ///   glb   glTF 2.0                        written              binary, in single precision; shows
-///                                                              itself with a checkerboard
+///                                                              itself with a checkerboard, or a
+///                                                              lattice: WriteLatticeGlb
 ///
 /// Files may be packed by gzip (`NAME.obj.gz`, or any name) and in UTF-16. Where the name tells no
 /// format, or the content is plainly of another, the content decides (with a warning in the latter
@@ -72,6 +75,11 @@ Status WriteHomogeneousObj(const std::string& path, const PolygonSoup& mesh,
 /// WriteMesh.
 Status WriteTexturedMesh(const std::string& path, const MeshFile& source,
                          const PolygonSoup& textured);
+
+/// WriteMesh to a .glb of a map in units of a lattice (io/lattice_texture.h), which shows the lattice's
+/// pattern, without seams, instead of a checkerboard.
+Status WriteLatticeGlb(const std::string& path, const PolygonSoup& mesh,
+                       const LatticeTexture& lattice);
 
 /// The extensions that ReadMesh knows, those that WriteMesh writes exactly, and all that it
 /// writes, in the order of the table.

@@ -14,6 +14,8 @@
 
 namespace cirque {
 
+struct LatticeTexture;
+
 /// Parses Wavefront OBJ: text, a statement a line, '#' starts a comment.
 ///
 ///   v x y z            a point; weights and colours after it are ignored
@@ -172,6 +174,13 @@ bool IsOm(std::string_view content);
 /// (SplitAtSeams), v counted downwards as glTF has it. No normals: viewers then shade each triangle
 /// by itself.
 TextPieces FormatGlb(const PolygonSoup& mesh);
+
+/// The same of a map in units of a lattice, whose seams take the lattice to itself: its texture is one period of
+/// the lattice's pattern (PatternDistance), which repeats without a seam. TEXCOORD_0 are coordinates of the
+/// lattice's periods, which the mesh's `extras` name as `texture_periods`: on a lattice of triangles they
+/// are sheared, as pictures are squares. Cones are marked by small octahedra, orange of less than 2 pi and violet of more,
+/// in nodes of their own that can be hidden, `extras` with their angle sums.
+TextPieces FormatLatticeGlb(const PolygonSoup& mesh, const LatticeTexture& lattice);
 
 /// Why FormatGlb cannot hold the mesh (numbers beyond single precision, more than 4 GiB); else empty.
 std::string ProblemAsGlb(const PolygonSoup& mesh);

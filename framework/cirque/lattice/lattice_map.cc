@@ -157,24 +157,6 @@ Index FlippedFaces(const CornerUv& uv) {
 
 }  // namespace
 
-int OrderOf(LatticeKind kind) { return kind == LatticeKind::kSquares ? 4 : 6; }
-
-Point NearestInLattice(LatticeKind kind, const Point& point) {
-  if (kind == LatticeKind::kSquares) return {std::round(point.x()), std::round(point.y())};
-  const double height = std::sqrt(3.) / 2;
-  const double row = std::floor(point.y() / height);
-  Point nearest(0, 0);
-  double least = std::numeric_limits<double>::infinity();
-  for (const double j : {row, row + 1}) {
-    const double shift = j / 2;
-    const Point near(std::round(point.x() - shift) + shift, j * height);
-    if ((near - point).squaredNorm() >= least) continue;
-    least = (near - point).squaredNorm();
-    nearest = near;
-  }
-  return nearest;
-}
-
 StatusOr<LatticeMap> MakeLatticeMap(const FlatDomain& domain, LatticeKind kind, double cell,
                                     const Cut* cut) {
   if (!domain.loops().empty()) {

@@ -4,18 +4,9 @@
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/lattice/flat_domain.h"
+#include "cirque/math/unit_lattice.h"
 
 namespace cirque {
-
-/// Lattices that a seamless map may have: unit squares, turned by multiples of pi/2 across seams
-/// (Gaussian integers), or unit triangles, by multiples of pi/3 (Eisenstein integers).
-enum class LatticeKind { kSquares, kTriangles };
-
-/// The rotations about a point of a lattice: 4 or 6.
-int OrderOf(LatticeKind kind);
-
-/// The nearest point of a lattice.
-Eigen::Vector2d NearestInLattice(LatticeKind kind, const Eigen::Vector2d& point);
 
 /// A map of a closed flat cone metric to the plane in units of a lattice: cones lie on its points, and
 /// every seam's motion takes the lattice to itself.

@@ -39,19 +39,22 @@ async function readMesh(view) {
   const pointOfCorner = take(3 * view.faces, 4);
   const seams = take(view.seams, 4);
   const boundary = take(view.boundary, 4);
-  return { x, y, z, image, colours, vertexOfPoint, pointOfCorner, seams, boundary };
+  const tile = view.lattice && await inflate(view.lattice.tile);
+  return { x, y, z, image, colours, vertexOfPoint, pointOfCorner, seams, boundary, tile };
 }
 
-// Moves the middle of the coordinates' box to the origin; the farthest point's distance becomes 1.
+// Moves the middle of the coordinates' box to the origin; the farthest point's distance becomes 1. Returns the
+// lists, and the middle and radius that were.
 function normalize(...coordinates) {
-  const centred = coordinates.map((list) => {
+  const middle = coordinates.map((list) => {
     const low = list.reduce((a, b) => Math.min(a, b), Infinity);
     const high = list.reduce((a, b) => Math.max(a, b), -Infinity);
-    return list.map((value) => value - (low + high) / 2);
+    return (low + high) / 2;
   });
+  const centred = coordinates.map((list, k) => list.map((value) => value - middle[k]));
   const radius = centred[0].reduce(
     (most, _, i) => Math.max(most, Math.hypot(...centred.map((list) => list[i]))), 0) || 1;
-  return centred.map((list) => list.map((value) => value / radius));
+  return { lists: centred.map((list) => list.map((value) => value / radius)), middle, radius };
 }
 
 // Vertex normals: the sum of the faces' normals times their areas.

@@ -26,7 +26,8 @@ const kFaceVertex = `#version 300 es
 const kFaceFragment = `#version 300 es
   precision highp float;
   in vec3 facing; in vec3 spot; flat in vec2 value; in vec3 corner;
-  uniform int shading, wire; uniform float checks, morph, round_; uniform sampler2D scales;
+  uniform int shading, wire, lattice; uniform float checks, morph, round_; uniform sampler2D scales, tile;
+  uniform vec4 frame, toPeriods; uniform float slope;
   out vec4 colour;
   float square(float t, float width) {  // a wave between 0 and 1, its steps a pixel wide
     float s = abs(fract(t) * 2.0 - 1.0) - 0.5;
@@ -36,6 +37,14 @@ const kFaceFragment = `#version 300 es
     if (shading == 1) return texture(scales, vec2(value.x, 0.25)).rgb;
     if (shading == 2) return texture(scales, vec2(value.y, 0.75)).rgb;
     if (shading == 3) return vec3(0.75, 0.77, 0.8);
+    const vec3 dark = vec3(0.24, 0.42, 0.62), light = vec3(0.95, 0.93, 0.88);
+    if (lattice == 1) {  // distances to the edges of the pattern, over one period; frame: middle, radius, periods a cell
+      vec2 cells = (spot.xy * frame.z + frame.xy) * frame.w, across = fwidth(spot.xy * frame.z * frame.w);
+      float width = max(max(across.x, across.y), 1e-6);
+      float distance = (texture(tile, mat2(toPeriods) * cells).r - 0.5) / slope;
+      float blurred = mix(clamp(distance / width + 0.5, 0.0, 1.0), 0.5, smoothstep(0.35, 1.0, width));
+      return mix(light, dark, blurred);
+    }
     vec2 t = spot.xy * checks, width = fwidth(t);
     if (round_ == 1.0) {  // Mercator's squares: as many whole ones round the equator as fit
       vec3 s = normalize(spot);
@@ -45,7 +54,7 @@ const kFaceFragment = `#version 300 es
     }
     float a = square(t.x, width.x), b = square(t.y, width.y);
     float blur = smoothstep(0.35, 1.0, max(width.x, width.y));  // too small to see: grey
-    return mix(vec3(0.24, 0.42, 0.62), vec3(0.95, 0.93, 0.88), mix(a + b - 2.0 * a * b, 0.5, blur));
+    return mix(dark, light, mix(a + b - 2.0 * a * b, 0.5, blur));
   }
   void main() {
     vec3 n = normalize(facing);

@@ -28,7 +28,7 @@ class Batch {
     for (const [name, value] of Object.entries(uniforms)) {
       const place = gl.getUniformLocation(program, name);
       if (place === null) continue;
-      if (["shading", "wire", "scales"].includes(name)) gl.uniform1i(place, value);
+      if (["shading", "wire", "scales", "tile", "lattice"].includes(name)) gl.uniform1i(place, value);
       else if (name === "turn") gl.uniformMatrix3fv(place, false, value);
       else if (typeof value === "number") gl.uniform1f(place, value);
       else gl[`uniform${value.length}f`](place, ...value);
@@ -104,9 +104,32 @@ class SurfaceView {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   }
 
-  // Faces, seams, boundary and cones as vertex arrays.
-  load({ faces, seams, boundary, cones, round }) {
+  // The pattern of a lattice, over one period.
+  loadTile({ side, tile }) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE1);
+    if (!this.tile) this.tile = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.tile);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, side, side, 0, gl.RED, gl.UNSIGNED_BYTE, tile);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.REPEAT);
+    gl.activeTexture(gl.TEXTURE0);
+  }
+
+  // Whole numbers of periods to a cell, so that they go on across seams.
+  latticeUniforms() {
+    if (!this.lattice) return { lattice: 0, tile: 1 };
+    const { middle, radius, slope, to_periods: toPeriods } = this.lattice;
+    const periods = Math.max(1, Math.round(this.options.checks / radius));
+    return { lattice: 1, tile: 1, frame: [...middle, radius, periods], toPeriods, slope };
+  }
+
+  // Faces, seams, boundary and cones as vertex arrays; the lattice, where there is one.
+  load({ faces, seams, boundary, cones, round, lattice }) {
     this.round = round;
+    this.lattice = lattice;
+    if (lattice) this.loadTile(lattice);
     for (const batch of this.batches) batch.free();
     const [face, edge, point] = this.programs;
     this.batches = [new Batch(this.gl, face, faces, 0), new Batch(this.gl, edge, boundary, 1),
@@ -140,7 +163,8 @@ class SurfaceView {
     const place = { turn: this.turn, camera: this.camera, aspect: width / height, morph: this.morph,
                     round_: this.round ? 1 : 0, towards: 0 };
     const [faces, boundary, seams, cones] = this.batches;
-    faces.use({ ...place, shading: options.shading, wire: options.wire ? 1 : 0, checks: options.checks, scales: 0 });
+    faces.use({ ...place, shading: options.shading, wire: options.wire ? 1 : 0, checks: options.checks, scales: 0,
+                ...this.latticeUniforms() });
     gl.drawArrays(gl.TRIANGLES, 0, faces.count);
     const edge = { ...place, towards: 0.01, pixel: [2 / width, 2 / height] };
     boundary.use({ ...edge, width: 0.8 * scale, tint: ink });
@@ -148,6 +172,8 @@ class SurfaceView {
     if (options.seams) {
       seams.use({ ...edge, towards: 0.012, width: 1.2 * scale, tint: [0.88, 0.12, 0.35] });
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, seams.count);
+    }
+    if (options.cones) {
       cones.use({ ...place, towards: 0.02, width: 11 * scale });
       gl.drawArrays(gl.POINTS, 0, cones.count);
     }

@@ -1,6 +1,6 @@
 const { views, scales } = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
-const options = { shading: 0, wire: false, seams: true, checks: 20 };
+const options = { shading: 0, wire: false, seams: true, cones: true, checks: 20 };
 
 // One attribute of every listed corner, `of` writes its numbers at a place of the list.
 function gather(corners, size, of) {
@@ -10,11 +10,11 @@ function gather(corners, size, of) {
 }
 
 // Vertex arrays from the lists of a mesh.
-function buildArrays(mesh, cones) {
+function buildArrays(mesh, { cones, lattice }) {
   const normals = vertexNormals(mesh);
-  const [x, y, z] = normalize(mesh.x, mesh.y, mesh.z);
+  const [x, y, z] = normalize(mesh.x, mesh.y, mesh.z).lists;
   const round = mesh.image.length === 3;
-  const image = normalize(...mesh.image);
+  const { lists: image, middle, radius } = normalize(...mesh.image);
   const vertex = (h) => mesh.vertexOfPoint[mesh.pointOfCorner[h]];
   const position = (h, list, at) => {
     const i = vertex(h);
@@ -48,7 +48,8 @@ function buildArrays(mesh, cones) {
   return {
     faces: { position: gather(all, 3, position), normal: gather(all, 3, normal),
              image: gather(all, 3, place), colour: gather(all, 2, colour) },
-    round, seams: edges(mesh.seams), boundary: edges(mesh.boundary),
+    round, lattice: lattice && { ...lattice, tile: mesh.tile, middle, radius },
+    seams: edges(mesh.seams), boundary: edges(mesh.boundary),
     cones: { position: gather(conic, 3, position), image: gather(conic, 3, place),
              sum: gather(conic, 1, (h, list, at) => { list[at] = sums.get(vertex(h)); }) },
   };
@@ -128,7 +129,7 @@ class Viewer {
 
   async arraysOf(index) {
     const view = views[index];
-    if (!this.arrays.has(index)) this.arrays.set(index, buildArrays(await readMesh(view), view.cones));
+    if (!this.arrays.has(index)) this.arrays.set(index, buildArrays(await readMesh(view), view));
     return this.arrays.get(index);
   }
 
@@ -171,6 +172,7 @@ class Viewer {
 
 async function main() {
   const viewer = new Viewer();
+  if (views.every((view) => view.lattice)) options.seams = element("seams").checked = false;  // there are none to see
   views.forEach((view, index) => {
     for (const id of ["choose", "beside"]) element(id).append(new Option(`${view.mesh} - ${view.method}`, index));
   });
@@ -191,6 +193,7 @@ async function main() {
   on("checks", (input) => { options.checks = Number(input.value); });
   on("wire", (input) => { options.wire = input.checked; });
   on("seams", (input) => { options.seams = input.checked; });
+  on("cones", (input) => { options.cones = input.checked; });
   on("morph", (input) => { for (const { surface } of viewer.rows) surface.morph = Number(input.value); });
   element("reset").addEventListener("click", () => viewer.all((one) => one.reset()));
   document.querySelector(".viewer").addEventListener("click", ({ target }) => {
