@@ -73,7 +73,13 @@ const OptionTable<CirclePatternsJob>& JobTable() {
         {FileFlag("iv", &J::cones,
                   "cone file: 'vertex min max' a line, angle sums in multiples of pi"),
          FileFlag("angle_sums", &J::angle_sums,
-                  "file of one target angle sum in radians per vertex, instead of -iv")}},
+                  "file of one target angle sum in radians per vertex, instead of -iv"),
+         FileFlag(
+             "rotations", &J::rotations,
+             "file of what directions turn by along loops: 'rotation face face ...' a line, in "
+             "radians; what the cones make of them is measured and said"),
+         {"meet_rotations", &J::meet_rotations,
+          "those of -rotations are met, at the price of conformality"}}},
        {"Cuts",
         {FileFlag("ie", &J::cut,
                   "edge-cut file: 'from to face' a line; without it a short cut is found"),

@@ -64,6 +64,7 @@ std::vector<std::string> FlagsFor(const std::string& member) {
   static const std::map<std::string, std::vector<std::string>> kFlags = {
       {"targets", {"iv", "angle_sums"}},
       {"cut", {"ie", "cut_paths"}},
+      {"rotations", {"rotations", "meet_rotations"}},
       {"metric", {"ic", "no"}},
       {"flat", {"oc", "flip_back"}},
       {"uv", {"measures", "fill_holes", "uv", "uv_margin", "scale_pieces"}},
@@ -226,6 +227,12 @@ Status CirclePatternsFlags::CheckFiles() const {
     return refuse("a metric has no surface to be shown: leave out -view and -picture");
   }
   if (!job.cut.empty() && !job.cut_paths.empty()) return refuse("give one of -ie and -cut_paths");
+  if (job.meet_rotations && job.rotations.empty()) {
+    return refuse("-meet_rotations is about the rotations of -rotations, which are missing");
+  }
+  if (job.layout_only && !job.rotations.empty()) {
+    return refuse("-no lays a metric out as it is: leave out -rotations");
+  }
   if (job.flip_back && job.con.empty()) {
     return refuse("-flip_back is about the metric of -oc, which is missing");
   }

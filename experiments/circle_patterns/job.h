@@ -29,7 +29,9 @@ struct CirclePatternsJob {
   std::string angle_sums;    ///< file of one target angle sum [rad] per vertex; empty: none
   std::string cut;           ///< file of edges `from to face` to open; empty: a short cut is found
   std::string cut_paths;  ///< "a-b,c-d": vertices, counted from 1, to open shortest paths between
-  std::string con;        ///< where to write the flat intrinsic metric; empty: nowhere
+  std::string rotations;  ///< file of `rotation face face ...`, loops; empty: none
+  bool meet_rotations = false;  ///< these are met, not only measured
+  std::string con;              ///< where to write the flat intrinsic metric; empty: nowhere
   ConForm con_form = ConForm::kNeighbours;
   bool overwrite = false;   ///< outputs may be inputs
   bool flip_back = false;   ///< `con` after undoing the flips that can be in the flat metric

@@ -164,7 +164,8 @@ bool IsSameFile(const std::string& a, const std::string& b) {
 }
 
 Status CheckNotAnInput(const CirclePatternsJob& job, const std::string& output) {
-  for (const std::string& input : {job.input, job.input_con, job.cones, job.angle_sums, job.cut}) {
+  for (const std::string& input :
+       {job.input, job.input_con, job.cones, job.angle_sums, job.cut, job.rotations}) {
     if (job.overwrite || input.empty() || !IsSameFile(output, input)) continue;
     return Status::InvalidInput(fmt::format(
         "{}: this is the input {}; name another output, or give --overwrite", output, input));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/text.h"
+#include "cirque/cuts/rotation_file.h"
 #include "cirque/cuts/shortest_path.h"
 
 namespace cirque {
@@ -135,6 +137,9 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
                            NumbersInFile(surface));
   if (!cut.ok()) return cut.status();
   request.cut = *std::move(cut);
+  auto rotations = RotationsAlongLoops(job, surface.triangulation, NumbersInFile(surface));
+  if (!rotations.ok()) return rotations.status();
+  request.rotations = *std::move(rotations);
   return request;
 }
 
@@ -158,6 +163,15 @@ StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job, const T
                                       : ReadCutFile(job.cut, t, numbers);
   if (!cut.ok()) return cut.status();
   return std::optional<Cut>(*std::move(cut));
+}
+
+StatusOr<std::shared_ptr<const PrescribedRotations>> RotationsAlongLoops(
+    const CirclePatternsJob& job, const Triangulation& t, const FileNumbers& numbers) {
+  if (job.rotations.empty()) return std::shared_ptr<const PrescribedRotations>();
+  StatusOr<std::vector<LoopRotation>> loops = ReadRotationFile(job.rotations, t, numbers);
+  if (!loops.ok()) return loops.status();
+  return std::make_shared<const PrescribedRotations>(
+      PrescribedRotations{*std::move(loops), job.meet_rotations});
 }
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "cirque/core/metric.h"
@@ -7,6 +8,7 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/cuts/edge_files.h"
 #include "cirque/domains/domain.h"
+#include "cirque/intrinsic/loop_rotations.h"
 #include "cirque/io/cone_file.h"
 #include "cirque/pipeline/summaries.h"
 
@@ -30,5 +32,9 @@ StatusOr<std::optional<ConeTargets>> PrescribedTargets(
 StatusOr<std::optional<Cut>> PrescribedCut(const CirclePatternsJob& job,
                                            const Triangulation& triangulation,
                                            const EdgeLengths& lengths, const FileNumbers& numbers);
+
+/// Those of the job's file, along loops of its surface; none where it names none.
+StatusOr<std::shared_ptr<const PrescribedRotations>> RotationsAlongLoops(
+    const CirclePatternsJob& job, const Triangulation& triangulation, const FileNumbers& numbers);
 
 }  // namespace cirque

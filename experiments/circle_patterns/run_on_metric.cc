@@ -65,6 +65,9 @@ Status RunOnMetric(const CirclePatternsJob& job, const SolveControl& control,
         PrescribedTargets(job, t, {t.num_vertices, numbers.vertex}, &request.cone_rounding);
     if (!targets.ok()) return targets.status();
     request.targets = *std::move(targets);
+    auto rotations = RotationsAlongLoops(job, t, numbers);
+    if (!rotations.ok()) return rotations.status();
+    request.rotations = *std::move(rotations);
     status = Parameterize(t, metric->lengths, request, control, &map);
   }
   if (status.ok()) status = WriteOutputs(job, t, metric->lengths, report, &map);

@@ -85,6 +85,17 @@ std::string ConeLines(const Certificate& c) {
         "angles\n",
         c.rotations->rotations.size(), c.holonomy->holonomy_miss, c.holonomy->holonomy_miss_before);
   }
+  if (c.loops) {
+    const LoopsSummary& loops = *c.loops;
+    text += fmt::format("loops       {}, rotations missed by up to {:.1e} rad (loop {}), ",
+                        Count(loops.rotations.size(), "loop"), loops.loop_miss,
+                        loops.loop_that_misses + 1);
+    text += loops.loops_to_meet == 1
+                ? fmt::format("{} of the angles closed {:.2g} rad, at the price of conformality\n",
+                              Count(loops.loop_steps.value_or(0), "step"),
+                              loops.loop_miss_before.value_or(0))
+                : "as the cones have them\n";
+  }
   if (c.integers && c.integers->integer_gap) {
     text += fmt::format(
         "lattice     cones and seams on it to {:.1e} cells; vertices moved by up to {:.2f} cells\n",

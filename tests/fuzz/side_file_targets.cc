@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/cuts/edge_files.h"
+#include "cirque/cuts/rotation_file.h"
 #include "cirque/io/cone_file.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
@@ -81,6 +82,16 @@ void RunEdgeCosts(std::string_view bytes) {
   CHECK(costs->allFinite() && costs->minCoeff() >= 0);
 }
 
+void RunRotations(std::string_view bytes) {
+  const Triangulation& t = TheMesh().surface.triangulation;
+  const auto loops = ParseRotations(kPath, bytes, t, NumbersInFile(TheMesh().surface));
+  if (!loops.ok()) return CheckRefusal(loops.status(), std::string(kPath) + ":");
+  for (const LoopRotation& loop : *loops) {
+    CHECK(std::isfinite(loop.rotation));
+    CHECK_EQ(CornersAlong(t, loop.path).size(), loop.path.entered.size());
+  }
+}
+
 }  // namespace
 
 std::vector<FuzzTarget> SideFileTargets() {
@@ -91,7 +102,12 @@ std::vector<FuzzTarget> SideFileTargets() {
   return {{"cones", RunCones, words, {"1 2\n", "# a cone\n1 1.5 2.5\n2 0 1\n3 .5\n"}, cone_files},
           {"angle_sums", RunAngleSums, words, {"6.28\n1.57\n1.57\n1.57\n1.57\n0\n"}, cone_files},
           {"cuts", RunCuts, words, {"1 2 1\n1 4 2\n", "3 1 1 # there and back\n"}, edge_files},
-          {"edge_costs", RunEdgeCosts, words, {"1 2 0.5\n2 3 1e9\n"}, edge_files}};
+          {"edge_costs", RunEdgeCosts, words, {"1 2 0.5\n2 3 1e9\n"}, edge_files},
+          {"rotations",
+           RunRotations,
+           words,
+           {"1.5 1 2 3 4\n", "# back\n-1e-1 4 3 2 1\n"},
+           {"framework/cirque/cuts/rotation_file"}}};
 }
 
 }  // namespace cirque::testing

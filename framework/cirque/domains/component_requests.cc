@@ -1,8 +1,10 @@
 #include "cirque/domains/component_requests.h"
 
+#include <memory>
 #include <utility>
 
 #include "cirque/domains/atlas.h"
+#include "cirque/intrinsic/loop_rotations.h"
 
 namespace cirque {
 namespace {
@@ -10,8 +12,11 @@ namespace {
 /// The share of one surface in a request for all of them, joined: from these numbers on.
 class Share {
  public:
-  Share(const Surface& surface, Index first_vertex, Index first_edge)
-      : t_(surface.triangulation), first_vertex_(first_vertex), first_edge_(first_edge) {}
+  Share(const Surface& surface, Index first_vertex, Index first_edge, Index first_face)
+      : t_(surface.triangulation),
+        first_vertex_(first_vertex),
+        first_edge_(first_edge),
+        first_face_(first_face) {}
 
   MapRequest Of(const MapRequest& all) const {
     MapRequest own = all;
@@ -25,6 +30,7 @@ class Share {
     if (!own.targets) own.cone_rounding.reset();
     own.cut.reset();
     if (all.cut) TakeCut(*all.cut, &own);
+    if (all.rotations) own.rotations = OwnRotations(*all.rotations);
     return own;
   }
 
@@ -53,8 +59,19 @@ class Share {
     if (!cut.IsEmpty()) own->cut = std::move(cut);
   }
 
+  std::shared_ptr<const PrescribedRotations> OwnRotations(const PrescribedRotations& all) const {
+    PrescribedRotations own{{}, all.meet};
+    for (LoopRotation loop : all.loops) {
+      for (Index& h : loop.path.entered) h -= 3 * first_face_;
+      const Index first = loop.path.entered.front();
+      if (first >= 0 && first < t_.num_halfedges()) own.loops.push_back(std::move(loop));
+    }
+    return own.loops.empty() ? nullptr
+                             : std::make_shared<const PrescribedRotations>(std::move(own));
+  }
+
   const Triangulation& t_;
-  Index first_vertex_, first_edge_;
+  Index first_vertex_, first_edge_, first_face_;
 };
 
 }  // namespace
@@ -66,11 +83,12 @@ StatusOr<std::vector<MapRequest>> RequestsOf(const SurfaceRequest& request,
   if (!all.ok()) return all.status();
   if (is_one) return std::vector<MapRequest>{*all};
   std::vector<MapRequest> requests;
-  Index vertices = 0, edges = 0;
+  Index vertices = 0, edges = 0, faces = 0;
   for (const Surface* component : components) {
-    requests.push_back(Share(*component, vertices, edges).Of(*all));
+    requests.push_back(Share(*component, vertices, edges, faces).Of(*all));
     vertices += component->triangulation.num_vertices;
     edges += component->triangulation.num_edges();
+    faces += component->triangulation.num_faces();
   }
   return requests;
 }

@@ -39,6 +39,7 @@ Status CheckRequest(const MapRequest& request) {
   const ParameterizeOptions& options = request.options;
   const char* what = request.targets                     ? "prescribed angle sums"
                      : request.cut                       ? "cut of your own"
+                     : request.rotations                 ? "rotations along loops"
                      : options.exact                     ? "exact map"
                      : options.seams == SeamKind::kFree  ? "seams = free"
                      : options.boundary != kFreeBoundary ? "boundary shape"

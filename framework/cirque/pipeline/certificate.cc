@@ -158,6 +158,17 @@ std::string MissedRotation(const HolonomySummary& holonomy) {
       holonomy.holonomy_loop, holonomy.holonomy_miss, holonomy.holonomy_angle_change);
 }
 
+/// What of the rotations along a file's loops is not met though it was to be.
+std::string MissedLoop(const LoopsSummary& loops) {
+  if (loops.loops_to_meet == 0 || !(loops.loop_miss > kRotationAccuracy)) return "";
+  return fmt::format(
+      "the map has no flipped triangle, but of the rotations that were to be met that along loop "
+      "{} "
+      "misses by {:.2g} rad, others by less: no angles were found that meet all of them with these "
+      "cones; along loops that others make up, or around vertices, the cones decide",
+      loops.loop_that_misses + 1, loops.loop_miss);
+}
+
 /// Smaller cells help there, another road does not.
 std::string MissedLattice(const Certificate& certificate) {
   if (!certificate.integers || certificate.integers->integer_obstacle.empty()) return "";
@@ -170,6 +181,9 @@ std::string MissedLattice(const Certificate& certificate) {
 std::string Inaccuracy(const Certificate& certificate) {
   if (certificate.holonomy) {
     if (std::string missed = MissedRotation(*certificate.holonomy); !missed.empty()) return missed;
+  }
+  if (certificate.loops) {
+    if (std::string missed = MissedLoop(*certificate.loops); !missed.empty()) return missed;
   }
   const bool has_layout = certificate.layout && !ForgetsLayout(certificate);
   const double closure = has_layout ? certificate.layout->layout_closure : 0;

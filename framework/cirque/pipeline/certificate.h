@@ -33,6 +33,7 @@ struct Certificate {
   std::optional<EquivalenceSummary> equivalence;
   std::optional<RotationSummary> rotations;
   std::optional<HolonomySummary> holonomy;
+  std::optional<LoopsSummary> loops;
   std::optional<ConeBudgetSummary> cone_budget;
   std::optional<ConeRoundingSummary> cone_rounding;
   std::optional<ConeRepairSummary> cone_repair;

@@ -92,6 +92,10 @@ std::map<std::string, double> NumbersOf(const Certificate& certificate) {
     add_family("rotation", certificate.rotations->rotations);
     add_family("boundary_turn", certificate.rotations->boundary_turns);
   }
+  if (certificate.loops) {
+    add_family("loop_rotation", certificate.loops->rotations);
+    add_family("loop_miss", certificate.loops->misses);
+  }
   return numbers;
 }
 

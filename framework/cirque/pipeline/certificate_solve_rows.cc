@@ -12,6 +12,7 @@ constexpr char kRadii[] = "log radii";
 constexpr char kEquivalence[] = "conformal equivalence";
 constexpr char kRotations[] = "rotations along loops";
 constexpr char kHolonomy[] = "rotations that were asked for";
+constexpr char kLoops[] = "rotations along loops of a file";
 constexpr char kBudget[] = "number of cones";
 constexpr char kLadder[] = "ladder";
 constexpr char kRounding[] = "cones of a file, rounded";
@@ -124,6 +125,18 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::holonomy, &HolonomySummary::holonomy_steps>},
     {"holonomy_angle_change", kHolonomy, "rad", "largest change of an angle by those",
      ReadMember<&C::holonomy, &HolonomySummary::holonomy_angle_change>},
+    {"loop_miss", kLoops, "rad", "largest distance of a rotation to what the file asks for",
+     ReadMember<&C::loops, &LoopsSummary::loop_miss>},
+    {"loop_that_misses", kLoops, "", "the number of that loop, from 0; -1: there is none",
+     ReadMember<&C::loops, &LoopsSummary::loop_that_misses>},
+    {"loops_to_meet", kLoops, "", "1: they were to be met, at the price of conformality",
+     ReadMember<&C::loops, &LoopsSummary::loops_to_meet>},
+    {"loop_miss_before", kLoops, "rad", "largest distance that was left to the angles to close",
+     ReadMember<&C::loops, &LoopsSummary::loop_miss_before>},
+    {"loop_steps", kLoops, "", "steps of the angles",
+     ReadMember<&C::loops, &LoopsSummary::loop_steps>},
+    {"loop_angle_change", kLoops, "rad", "largest change of an angle by those",
+     ReadMember<&C::loops, &LoopsSummary::loop_angle_change>},
     {"cones_asked", kBudget, "", "cones asked for, fewer than there must be",
      ReadMember<&C::cone_budget, &ConeBudgetSummary::cones_asked>},
     {"cones_needed", kBudget, "", "cones taken instead",

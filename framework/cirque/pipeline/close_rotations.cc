@@ -20,12 +20,12 @@ constexpr double kLeastProgress = 0.9;  ///< of a miss, by a step worth taking
 /// A pattern on its way to rotations that are multiples.
 class Closing {
  public:
-  Closing(const FlattenJob& job, const AngleFitProblem& problem, double unit,
+  Closing(const FlattenJob& job, const AngleFitProblem& problem, LoopBasis basis,
           const AngleObjective& objective, const FlatSurface& flat)
       : job_(job),
         fit_(problem),
         t_(flat.intrinsic.triangulation),
-        basis_(t_),
+        basis_(std::move(basis)),
         objective_(std::shared_ptr<void>(), &objective),
         angles_(flat.angles),
         log_radii_(flat.log_radii),
@@ -34,8 +34,9 @@ class Closing {
         rotations_(Measure(angles_, log_radii_)) {
     fit_.epsilon = flat.angles.epsilon;
     targets_ = rotations_;
-    for (double& target : targets_) target -= BeyondMultiple(target, unit);
   }
+
+  void AimAt(const Eigen::VectorXd& targets) { targets_ = targets; }
 
   Status Run(const SolverStrategy& strategy) {
     while (steps_ < kMostSteps && Miss() > kGoal) {
@@ -57,6 +58,7 @@ class Closing {
   double Miss() const {
     return basis_.loops.empty() ? 0 : (targets_ - rotations_).lpNorm<Eigen::Infinity>();
   }
+  const Eigen::VectorXd& rotations() const { return rotations_; }
   double AngleChange() const { return (angles_.value - start_).lpNorm<Eigen::Infinity>(); }
   int steps() const { return steps_; }
 
@@ -132,6 +134,54 @@ CornerAngles FlatAnglesOf(const FlatSurface& flat) {
                     : MeasureCornerAngles(t, flat.intrinsic_lengths);
 }
 
+/// What is asked for less what there is, modulo 2 pi.
+Eigen::VectorXd Missing(const PrescribedRotations& prescribed, const Eigen::VectorXd& rotations) {
+  Eigen::VectorXd missing = rotations;
+  for (Eigen::Index q = 0; q < missing.size(); ++q) {
+    const double asked = prescribed.loops[static_cast<std::size_t>(q)].rotation;
+    missing[q] = BeyondMultiple(asked - rotations[q], 2 * kPi);
+  }
+  return missing;
+}
+
+Eigen::VectorXd NearestMultiples(const Eigen::VectorXd& rotations, double unit) {
+  return rotations.unaryExpr([&](double x) { return x - BeyondMultiple(x, unit); });
+}
+
+}  // namespace
+
+bool MeetsRotations(const FlattenJob& job) {
+  return job.rotations && job.rotations->meet && !job.rotations->loops.empty();
+}
+
+LoopBasis LoopsOf(const PrescribedRotations& rotations, const Triangulation& input,
+                  const FlatSurface& flat) {
+  std::vector<DualPath> paths;
+  for (const LoopRotation& loop : rotations.loops) paths.push_back(loop.path);
+  LoopBasis basis;
+  for (const DualPath& path : PathsAfterFlips(input, flat.intrinsic.flips, std::move(paths))) {
+    basis.loops.push_back(CornersAlong(flat.intrinsic.triangulation, path));
+  }
+  basis.offset.assign(basis.loops.size(), 0);
+  return basis;
+}
+
+namespace {
+
+/// By the metric's own triangulation or, where flips were Ptolemy's, by the input's.
+Eigen::VectorXd RotationsOf(const PrescribedRotations& rotations, const Triangulation& input,
+                            const FlatSurface& flat) {
+  if (flat.log_scale.size() == 0) {
+    return LoopsOf(rotations, input, flat).Rotations(FlatAnglesOf(flat).value);
+  }
+  LoopBasis basis;
+  for (const LoopRotation& loop : rotations.loops) {
+    basis.loops.push_back(CornersAlong(input, loop.path));
+  }
+  basis.offset.assign(basis.loops.size(), 0);
+  return basis.Rotations(flat.on_input.angles.value);
+}
+
 }  // namespace
 
 std::optional<double> RotationUnit(HolonomyRule holonomy) {
@@ -202,17 +252,56 @@ void NoteMiss(const ParameterizeOptions& options, const FlatSurface& flat,
   summary.holonomy_loop = miss.loop;
 }
 
+void NoteLoops(const Triangulation& input, const PrescribedRotations& rotations,
+               Parameterization* result) {
+  const Eigen::VectorXd found = RotationsOf(rotations, input, result->flat);
+  const Eigen::VectorXd missing = Missing(rotations, found);
+  LoopsSummary& summary = Fill(&result->certificate.loops);
+  summary.rotations.assign(found.begin(), found.end());
+  summary.misses.assign(missing.begin(), missing.end());
+  summary.loops_to_meet = rotations.meet ? 1 : 0;
+  for (std::size_t q = 0; q < summary.misses.size(); ++q) {
+    const double miss = std::abs(summary.misses[q]);
+    if (summary.loop_that_misses >= 0 && miss <= summary.loop_miss) continue;
+    summary.loop_miss = miss;
+    summary.loop_that_misses = static_cast<int>(q);
+  }
+}
+
+namespace {
+
+/// The job's prescribed rotations, at whatever change of angles.
+Status MeetLoops(const FlattenJob& job, const SolverStrategy& strategy, Closing* closing,
+                 Certificate* certificate, FlatSurface* flat) {
+  closing->AimAt(closing->rotations() + Missing(*job.rotations, closing->rotations()));
+  LoopsSummary& summary = Fill(&certificate->loops);
+  summary.loop_miss_before = closing->Miss();
+  if (Status s = closing->Run(strategy); !s.ok()) return s;
+  summary.loop_steps = closing->steps();
+  summary.loop_angle_change = closing->AngleChange();
+  if (closing->Miss() <= kRotationAccuracy) closing->WriteTo(certificate, flat);
+  return Status();
+}
+
+}  // namespace
+
 Status CloseRotations(const FlattenJob& job, const AngleFitProblem& problem,
                       Certificate* certificate, FlatSurface* flat) {
   const std::optional<double> unit = RotationUnit(job.options.holonomy);
-  if (!unit) return Status();
+  if (!unit && !MeetsRotations(job)) return Status();
   job.control.BeginStage("rotations");
   const auto objective = AngleObjectiveOf(job.options);
   if (!objective.ok()) return objective.status();
   const auto strategy = MakeSolverStrategy(
       job.options.radii_solver, {{"max_iterations", std::to_string(job.options.max_iterations)}});
   if (!strategy.ok()) return strategy.status();
-  Closing closing(job, problem, *unit, **objective, *flat);
+  const Triangulation& solved = flat->intrinsic.triangulation;
+  Closing closing(
+      job, problem,
+      unit ? LoopBasis(solved) : LoopsOf(*job.rotations, job.surface.triangulation, *flat),
+      **objective, *flat);
+  if (!unit) return MeetLoops(job, **strategy, &closing, certificate, flat);
+  closing.AimAt(NearestMultiples(closing.rotations(), *unit));
   HolonomySummary& summary = Fill(&certificate->holonomy);
   summary.holonomy_miss_before = closing.Miss();
   if (Status s = closing.Run(**strategy); !s.ok()) return s;

@@ -24,6 +24,7 @@ struct ParameterizeJob {
   const SolveControl& control;
   const std::vector<bool>* inside = nullptr;  ///< E: edges no seam may run along; null: none
   const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
+  const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
 };
 
 /// The given cut and what is needed beyond it to open all cones and leave disks, as many as the

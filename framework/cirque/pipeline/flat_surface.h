@@ -17,6 +17,7 @@
 namespace cirque {
 
 struct EquivalentTriangulation;
+struct PrescribedRotations;
 
 /// A flat metric on the triangulation that it was solved on, no triangle of which is flipped.
 struct SolvedMetric {
@@ -55,6 +56,8 @@ struct FlattenJob {
   const SolveControl& control;
   /// Edges of the surface that are locked from the first round on; null: none.
   const std::vector<bool>* locked = nullptr;
+  /// Along loops of the surface's triangulation; null: any.
+  const PrescribedRotations* rotations = nullptr;
 };
 
 }  // namespace cirque

@@ -33,6 +33,7 @@ Status LayOut(const Job& job, Parameterization* result) {
   job.control.BeginStage("layout");
   Status status = CutAndPlace(job, result);
   result->certificate.rotations = MeasureRotations(result->flat);
+  if (job.rotations) NoteLoops(job.surface.triangulation, *job.rotations, result);
   AddSeconds(timer, &result->certificate.seconds.layout);
   if (status.ok() && job.options.injective) status = MakeInjective(job, FlattenToTargets, result);
   if (status.ok() && job.options.integer_cells > 0) MoveOntoLattice(job, result);
@@ -155,8 +156,9 @@ Status FlattenToTargets(const Job& job, Parameterization* result) {
   const ConeTargets targets = result->targets;
   // Seams of an exact map run along edges of the triangulation that is solved on.
   const bool locks_cut = job.options.exact && job.cut && !job.cut->IsEmpty();
-  const FlattenJob flatten = {job.surface, targets, job.options, job.control,
-                              locks_cut ? &job.cut->edge : nullptr};
+  const FlattenJob flatten = {
+      job.surface,  targets, job.options, job.control, locks_cut ? &job.cut->edge : nullptr,
+      job.rotations};
   const auto by = job.options.pattern == PatternKind::kEquivalence ? FlattenByEquivalence : Flatten;
   if (AsksForBoundary(job.surface, job.options) && HasFreeBoundary(job.surface, targets)) {
     return FlattenWithBoundary(flatten, job.file, by, &result->certificate, &result->targets,

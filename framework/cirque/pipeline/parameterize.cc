@@ -14,6 +14,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/intrinsic/loop_rotations.h"
 #include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/ladder.h"
 #include "cirque/pipeline/lay_out.h"
@@ -82,6 +83,11 @@ Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
   if (road.targets) {
     result->targets = *road.targets;
   } else if (OpensFirst(job)) {
+    if (job.rotations) {
+      return Status::InvalidInput(
+          "rotations: across the free seams of a cut that is given without cones directions turn "
+          "by any angle; take seams = rigid");
+    }
     return OpenAndLayOut(job, result);
   } else if (Status s = Place(job, result); !s.ok()) {
     return s;
@@ -96,6 +102,29 @@ struct Origin {
   std::vector<bool> inside;  ///< E: edges inside polygons; empty: none
   const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
 };
+
+/// Whether rotations along loops may be asked for so.
+Status CheckRotations(const ParameterizeRequest& request) {
+  if (!request.rotations) return Status();
+  const ParameterizeOptions& options = request.options;
+  if (options.seams == SeamKind::kFree) {
+    return Status::InvalidInput(
+        "rotations: across free seams directions turn by any angle; take seams = rigid");
+  }
+  if (!request.rotations->meet) return Status();
+  if (options.holonomy != HolonomyRule::kFree) {
+    return Status::InvalidInput(
+        "meet_rotations: holonomy says already what rotations are; leave out one of both");
+  }
+  if (options.pattern != PatternKind::kCircle) {
+    return Status::InvalidInput("meet_rotations needs pattern = circle");
+  }
+  if (options.refine_cones > 0) {
+    return Status::InvalidInput(
+        "refine_cones changes cones' angles; with meet_rotations they stay: leave out one of both");
+  }
+  return Status();
+}
 
 /// Whether a surface may be parameterized so.
 Status CheckRequest(const IntrinsicSurface& surface, const ParameterizeRequest& request) {
@@ -117,6 +146,7 @@ Status CheckRequest(const IntrinsicSurface& surface, const ParameterizeRequest& 
         "exact: its seams run along edges of the triangulation that is solved on, charts along "
         "those of the surface; leave out exact or least_charts");
   }
+  if (Status s = CheckRotations(request); !s.ok()) return s;
   const std::vector<bool>& boundary = surface.boundary;
   if (options.integer_cells > 0 &&
       std::find(boundary.begin(), boundary.end(), true) != boundary.end()) {
@@ -136,7 +166,8 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
     return TakeRoad({surface, origin.file, cut, road.options, control,
-                     origin.inside.empty() ? nullptr : &origin.inside, origin.position},
+                     origin.inside.empty() ? nullptr : &origin.inside, origin.position,
+                     request.rotations.get()},
                     road, end);
   };
   const Road asked{options, request.targets, {}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "cirque/core/metric.h"
@@ -13,6 +14,8 @@
 
 namespace cirque {
 
+struct PrescribedRotations;
+
 /// What to parameterize for.
 struct ParameterizeRequest {
   ParameterizeOptions options = {};
@@ -24,6 +27,9 @@ struct ParameterizeRequest {
   std::optional<Cut> cut = {};
   /// Of targets whose file missed Gauss-Bonnet by its digits, for the certificate.
   std::optional<ConeRoundingSummary> cone_rounding = {};
+  /// Along loops of the surface's triangulation: measured, or met
+  /// (intrinsic/loop_rotations.h); null: any.
+  std::shared_ptr<const PrescribedRotations> rotations = {};
 };
 
 /// DefaultTargets (cone_stages.h) of a surface in space.

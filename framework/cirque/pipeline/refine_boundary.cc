@@ -150,7 +150,8 @@ class BoundaryRefinement {
       solved->targets.lower[v] = solved->targets.upper[v] = solved->angle_sums[v];
     }
     solved->certificate = now_.certificate;
-    const FlattenJob job = {job_.surface, solved->targets, job_.options, job_.control, job_.locked};
+    const FlattenJob job = {job_.surface, solved->targets, job_.options,
+                            job_.control, job_.locked,     job_.rotations};
     if (!Flatten(job, &solved->certificate, &solved->flat).ok()) return false;
     solved->value = LogScaleNorm(solved->flat, descent_.power);
     return true;

@@ -69,12 +69,15 @@ class FlatMetricSolve {
     }
     const IntrinsicSurface& solved = flipped ? *flipped : job_.surface;
     const ConeTargets targets = TransferTargets(job_.surface, job_.targets, solved);
-    if (const auto flat = FlatMetricOf(solved, targets)) return TakeAsItIs(*flat, targets);
+    if (!MeetsRotations(job_)) {
+      if (const auto flat = FlatMetricOf(solved, targets)) return TakeAsItIs(*flat, targets);
+    }
     RadiiSystem system(t(), strategy);
     const auto fit = [&] { return FitAngles(solved, targets); };
     if (Status s = Timed(fit, &StageSeconds::angles); !s.ok()) return s;
     Status status = Timed([&] { return SolveRadii(strategy, &system); }, &StageSeconds::radii);
-    if (!status.ok() || options_.holonomy == HolonomyRule::kFree) return status;
+    const bool is_free = options_.holonomy == HolonomyRule::kFree && !MeetsRotations(job_);
+    if (!status.ok() || is_free) return status;
     const auto close = [&] {
       const AngleConstraints constraints(t(), targets);
       return CloseRotations(job_, {constraints, solved.angles.value, options_.epsilon},

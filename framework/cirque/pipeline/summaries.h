@@ -71,6 +71,18 @@ struct HolonomySummary {
   std::optional<double> holonomy_miss_start;           ///< of the cones before they were moved
 };
 
+/// Rotations that were asked for along loops (PrescribedRotations).
+struct LoopsSummary {
+  std::vector<double> rotations;  ///< [rad] of the map; loop_rotation_0, ... in certificates
+  std::vector<double> misses;     ///< [rad] asked for less that, modulo 2 pi; loop_miss_0, ...
+  double loop_miss = 0;           ///< [rad] the largest of these, without its sign
+  int loop_that_misses = -1;      ///< whose that is; -1: there is no loop
+  int loops_to_meet = 0;          ///< 1: they were to be met
+  std::optional<double> loop_miss_before,
+      loop_angle_change;          ///< [rad] of the angles that meet them
+  std::optional<int> loop_steps;  ///< of these
+};
+
 /// The last solve for log scales, where conformal equivalence makes the surface flat.
 struct EquivalenceSummary {
   double scales_residual = kUnset, log_scale_range = kUnset;
