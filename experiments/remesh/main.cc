@@ -17,6 +17,7 @@
 #include "cirque/domains/map_mesh.h"
 #include "cirque/io/file_input.h"
 #include "cirque/io/io.h"
+#include "cirque/remesh/curvature_density.h"
 #include "cirque/remesh/mesh_quality.h"
 #include "cirque/remesh/remesh_surface.h"
 
@@ -103,6 +104,12 @@ class Run {
       if (!component.surface.ok()) return component.surface.status().In(in_);
     }
     if (settings_.density.empty()) return Status();
+    if (NamesCurvatureSizing(settings_.density)) {
+      const StatusOr<CurvatureSizing> sizing = ParseCurvatureSizing(settings_.density);
+      if (!sizing.ok()) return sizing.status().In("--density");
+      sizing_ = *sizing;
+      return Status();
+    }
     StatusOr<Eigen::VectorXd> density = ReadDensity(settings_.density, soup_.position.size());
     if (density.ok()) density_ = *std::move(density);
     return density.status();
@@ -111,6 +118,7 @@ class Run {
   /// Of several components each gets its share of the vertices, by its area.
   StatusOr<RemeshOptions> OptionsFor(const Surface& surface) const {
     RemeshOptions options = settings_.mesh;
+    if (sizing_) options.density = DensityByCurvature(surface, *sizing_);
     if (density_.size() > 0) {
       options.density.resize(surface.triangulation.num_vertices);
       for (Index v = 0; v < surface.triangulation.num_vertices; ++v)
@@ -203,6 +211,7 @@ class Run {
   PolygonSoup soup_, made_;
   MeshParts parts_;
   Eigen::VectorXd density_;
+  std::optional<CurvatureSizing> sizing_;
   std::string correspondence_;
 };
 

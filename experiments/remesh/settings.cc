@@ -3,7 +3,9 @@
 #include <set>
 #include <string>
 
+#include "cirque/core/text.h"
 #include "cirque/domains/map_options.h"
+#include "cirque/remesh/curvature_density.h"
 
 namespace cirque {
 namespace {
@@ -21,9 +23,12 @@ const OptionTable<RemeshSettings>& SettingsTable() {
   using S = RemeshSettings;
   static const OptionTable<S> kTable(
       kProgram,
-      {Option<S>("density", &S::density,
-                 "a number a line for each vertex of IN: of how many times as many vertices per "
-                 "area")
+      {Option<S>(
+           "density", &S::density,
+           "a file, a number a line for each vertex of IN: of how many times as many vertices "
+           "per area; or curvature, or curvature:KEY=VALUE,...: edges as long as the radius of "
+           "curvature; keys " +
+               Join(CurvatureSizingTable().Names()))
            .Unit(kFileUnit)
            .About("Mesh"),
        Option<S>("quads", &S::quads, "the same as --lattice=squares").About("Mesh"),
