@@ -33,6 +33,7 @@ constexpr char kFlipped[] =
 Status CheckRequest(const MapRequest& request) {
   const ParameterizeOptions& options = request.options;
   const char* what = request.targets                           ? "prescribed angle sums"
+                     : request.rotations                       ? "rotations along loops"
                      : request.cut                             ? "cut of your own"
                      : options.AsksForCones()                  ? "cones"
                      : options.exact                           ? "exact map"
