@@ -1,5 +1,6 @@
-// The files that stand beside a mesh: cones, angle sums, cuts, costs of edges.
+// The files that stand beside a mesh: cones, angle sums, cuts, costs of edges, rotations, pins, curves.
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,8 @@
 
 #include "cirque/cuts/edge_files.h"
 #include "cirque/cuts/rotation_file.h"
+#include "cirque/domains/curves.h"
+#include "cirque/domains/pins.h"
 #include "cirque/io/cone_file.h"
 #include "cirque/io/io.h"
 #include "cirque/mesh/preflight.h"
@@ -92,6 +95,29 @@ void RunRotations(std::string_view bytes) {
   }
 }
 
+void RunPins(std::string_view bytes) {
+  const Surface& surface = TheMesh().surface;
+  const auto pins = ParsePins(kPath, bytes, surface);
+  if (!pins.ok()) return CheckRefusal(pins.status(), std::string(kPath) + ":");
+  std::set<Index> vertices;
+  for (const Pin& pin : *pins) {
+    CHECK(pin.at.allFinite());
+    CHECK(0 <= pin.vertex && pin.vertex < surface.triangulation.num_vertices);
+    CHECK(vertices.insert(pin.vertex).second) << pin.vertex;
+  }
+}
+
+void RunCurve(std::string_view bytes) {
+  const auto curve = ParseCurve(kPath, bytes);
+  if (!curve.ok()) return CheckRefusal(curve.status(), std::string(kPath) + ":");
+  CHECK(curve->length() > 0 && std::isfinite(curve->length()));
+  CHECK_GE(curve->Area(), 0);
+  for (std::size_t k = 0; k < curve->points().size(); ++k) {
+    CHECK(curve->At(curve->arcs()[k]).allFinite());
+    CHECK(std::abs(curve->TurningAt(k)) <= kPi);
+  }
+}
+
 }  // namespace
 
 std::vector<FuzzTarget> SideFileTargets() {
@@ -107,7 +133,17 @@ std::vector<FuzzTarget> SideFileTargets() {
            RunRotations,
            words,
            {"1.5 1 2 3 4\n", "# back\n-1e-1 4 3 2 1\n"},
-           {"framework/cirque/cuts/rotation_file"}}};
+           {"framework/cirque/cuts/rotation_file"}},
+          {"pins",
+           RunPins,
+           words,
+           {"1 0 0\n2 1.5 -1\n# a third\n5 2e1 .5\n"},
+           {"framework/cirque/domains/pins"}},
+          {"curve",
+           RunCurve,
+           words,
+           {"0 0\n1 0\n1 1\n0 1\n", "0 0\n-1 2\n3 0\n-1 -2\n0 0\n"},
+           {"framework/cirque/domains/curves", "framework/cirque/math/closed_curve"}}};
 }
 
 }  // namespace cirque::testing

@@ -73,7 +73,8 @@ TEST(ClosedCurve, RefusesWhatIsNone) {
   EXPECT_THAT(Refusal({{0, 0}, {1, 0}, {nan, 1}}), HasSubstr("point 3 of the curve is not finite"));
   EXPECT_THAT(Refusal({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), HasSubstr("points 2 and 3"));
   EXPECT_THAT(Refusal({{0, 0}, {1, 0}, {2, 0}}), HasSubstr("meets itself"));
-  EXPECT_THAT(Refusal({{0, 0}, {1e-170, 0}, {0, 1e-170}}), HasSubstr("scale it"));
+  EXPECT_THAT(Refusal({{0, 0}, {1e-170, 0}, {0, 1e-170}}), HasSubstr("scale the curve"));
+  EXPECT_THAT(Refusal({{0, 0}, {1e170, 0}, {0, 1e170}}), HasSubstr("scale the curve"));
 }
 
 TEST(ClosedCurve, NamesTheSidesThatMeetAsTheyWereGiven) {

@@ -14,6 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kLargest = 1e140;  ///< of coordinates; 1 over it the least of sides
+
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double TwiceArea(const std::vector<Vector2d>& point) {
@@ -24,18 +26,35 @@ double TwiceArea(const std::vector<Vector2d>& point) {
   return twice;
 }
 
+/// Squares of coordinates and of sides are to be numbers.
+Status CheckSize(const std::vector<Vector2d>& point) {
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    const Vector2d side = point[(k + 1) % point.size()] - point[k];
+    if (point[k].lpNorm<Eigen::Infinity>() <= kLargest &&
+        side.lpNorm<Eigen::Infinity>() >= 1 / kLargest) {
+      continue;
+    }
+    return Status::InvalidInput(
+        fmt::format("point {} of the curve is beyond {:g}, or its side is shorter than {:g}; scale "
+                    "the curve to about 1",
+                    k + 1, kLargest, 1 / kLargest));
+  }
+  return Status();
+}
+
 Status CheckPoints(const std::vector<Vector2d>& point) {
   if (point.size() < 3) return Status::InvalidInput("a closed curve has three points or more");
   for (std::size_t k = 0; k < point.size(); ++k) {
     if (!point[k].allFinite()) {
       return Status::InvalidInput(fmt::format("point {} of the curve is not finite", k + 1));
     }
-    if (point[k] == point[(k + 1) % point.size()]) {
+    const Vector2d side = point[(k + 1) % point.size()] - point[k];
+    if (side == Vector2d(0, 0)) {
       return Status::InvalidInput(
           fmt::format("points {} and {} of the curve are one", k + 1, (k + 1) % point.size() + 1));
     }
   }
-  return Status();
+  return CheckSize(point);
 }
 
 /// Sides are numbered as they were given, which may be the other way round.
@@ -64,9 +83,6 @@ StatusOr<ClosedCurve> ClosedCurve::Through(std::vector<Vector2d> points) {
   const double twice_area = TwiceArea(points);
   if (twice_area < 0) std::reverse(points.begin() + 1, points.end());
   if (Status s = CheckSimple(points, twice_area < 0); !s.ok()) return s;
-  if (!std::isnormal(twice_area)) {
-    return Status::InvalidInput("doubles do not hold the curve's area; scale it to about 1");
-  }
   return ClosedCurve(std::move(points));
 }
 
@@ -83,7 +99,8 @@ Vector2d ClosedCurve::At(double arc) const {
   const double on = arc - length() * std::floor(arc / length());
   const auto above = std::upper_bound(arc_.begin(), arc_.end() - 1, on);
   const auto k = static_cast<std::size_t>(above - arc_.begin()) - 1;
-  const double share = std::clamp((on - arc_[k]) / (arc_[k + 1] - arc_[k]), 0.0, 1.0);
+  const double side = arc_[k + 1] - arc_[k];  // 0 where one is too short beside the others
+  const double share = side > 0 ? std::clamp((on - arc_[k]) / side, 0.0, 1.0) : 0;
   if (share == 0) return point_[k];
   return point_[k] + share * (point_[(k + 1) % point_.size()] - point_[k]);
 }
