@@ -8,6 +8,7 @@
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/cuts/registry.h"
 #include "cirque/mesh/surface.h"
+#include "cirque/pipeline/fullest_map.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"
@@ -65,6 +66,36 @@ TEST_P(EveryCutHeuristic, EndsInAMapOpenedToADisk) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryCutHeuristic, testing::ValuesIn(CutHeuristics().Names()),
                          [](const auto& heuristic) { return heuristic.param; });
+
+TEST(CutHeuristics, TheFullestIsThatOfTheOthersThatFillsMostOfItsSquare) {
+  for (const SeamKind seams : {SeamKind::kRigid, SeamKind::kFree}) {
+    const Surface surface = GeneratedSurface("double_torus", 600);
+    const auto map_by = [&](const std::string& cut_cost) {
+      ParameterizeOptions options;
+      options.cut_cost = cut_cost;
+      options.seams = seams;
+      Parameterization map;
+      EXPECT_TRUE(Parameterize(surface, {options}, {}, &map).ok()) << cut_cost;
+      return map;
+    };
+    double most = 0, least = 1;
+    for (const std::string& name : CutHeuristics().Names()) {
+      if (name == "fullest") continue;
+      const double used = AreaUsed(map_by(name).uv);
+      most = std::max(most, used), least = std::min(least, used);
+    }
+    const Parameterization fullest = map_by("fullest");
+    EXPECT_EQ(AreaUsed(fullest.uv), most);
+    EXPECT_LT(least, 0.99 * most);
+    EXPECT_EQ(fullest.certificate.layout->cuts_tried, 5);
+  }
+}
+
+TEST(CutHeuristics, AHalfFilledSquareIsHalfUsed) {
+  const CornerUv triangle{{{0, 0}, {3, 0}, {3, 3}}};
+  EXPECT_EQ(AreaUsed(triangle), 0.5);
+  EXPECT_EQ(AreaUsed(CornerUv()), 0);
+}
 
 TEST(CutHeuristics, LengthsAreThemselvesAndNothingCostsMoreThanItsLength) {
   const Surface blob = GeneratedSurface("blob", 200);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,6 +27,9 @@ class CutHeuristic {
   /// E, finite and >= 0, in proportion to the surface's scale; the same for the same problem. Error
   /// (invalid input): the problem lacks what the heuristic looks at.
   virtual StatusOr<Eigen::VectorXd> EdgeCosts(const CutProblem& problem) const = 0;
+
+  /// Names of heuristics that are to be tried instead, a map each (MapFullest); none: it is one itself.
+  virtual std::vector<std::string> Candidates() const { return {}; }
 };
 
 }  // namespace cirque

@@ -24,6 +24,24 @@ class LengthCuts final : public CutHeuristic {
   }
 };
 
+constexpr char kFullest[] = "fullest";
+
+/// All the others; alone it is as the first of them.
+class FullestCuts final : public CutHeuristic {
+ public:
+  explicit FullestCuts(NoOptions /*options*/) {}
+
+  StatusOr<Eigen::VectorXd> EdgeCosts(const CutProblem& problem) const override {
+    return problem.flat.value;
+  }
+
+  std::vector<std::string> Candidates() const override {
+    std::vector<std::string> names = CutHeuristics().Names();
+    std::erase(names, kFullest);
+    return names;
+  }
+};
+
 /// The table of a heuristic without options.
 OptionTable<NoOptions> None(const char* name) { return {name, {}}; }
 
@@ -39,6 +57,7 @@ const Registry<CutHeuristicFactory>& CutHeuristics() {
                            {"distortion", CutFactory<DistortionCuts>(None("distortion"))},
                            {"curvature", CutFactory<CurvatureCuts>(None("curvature"))},
                            {"visibility", CutFactory<VisibilityCuts>(VisibilityOptionTable())},
+                           {kFullest, CutFactory<FullestCuts>(None(kFullest))},
                        });
   return kTable;
 }

@@ -18,6 +18,7 @@ using CutHeuristicFactory =
 /// The table of heuristics, one line an entry in registry.cc. Besides those of a file of their own:
 ///   flat_length  an edge's length in the flat metric: seams are short in the image
 ///   length       its length on the surface: the cut is short to the eye
+///   fullest      that of all others whose map fills most of its bounding square
 const Registry<CutHeuristicFactory>& CutHeuristics();
 
 /// The heuristic of that name with those options. Errors (invalid input): an unknown name, with all

@@ -118,14 +118,14 @@ bool Visibility::IsHidden(Index edge, const Point& from, const Point& direction)
   return hidden;
 }
 
-double Visibility::Of(Index edge) const {
+double Visibility::Of(Index edge, int part, int parts) const {
   const Index h = t_.edge_halfedge[edge];
   const Point middle = 0.5 * (position_[t_.Tail(h)] + position_[t_.Tip(h)]);
-  const auto seen =
-      std::count_if(directions_.begin(), directions_.end(), [&](const Point& direction) {
-        return FacesOutward(edge, direction) && !IsHidden(edge, middle, direction);
-      });
-  return static_cast<double>(seen) / static_cast<double>(directions_.size());
+  int seen = 0, looked = 0;
+  for (std::size_t i = part; i < directions_.size(); i += parts, ++looked) {
+    if (FacesOutward(edge, directions_[i]) && !IsHidden(edge, middle, directions_[i])) ++seen;
+  }
+  return static_cast<double>(seen) / looked;
 }
 
 }  // namespace cirque

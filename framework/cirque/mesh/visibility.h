@@ -25,9 +25,9 @@ class Visibility {
   Visibility(const Triangulation& triangulation, const std::vector<Eigen::Vector3d>& position,
              int directions);
 
-  /// The share of the directions from which the edge is seen, in [0, 1]. O(log F) a direction,
-  /// expected.
-  double Of(Index edge) const;
+  /// The share of the directions from which the edge is seen, in [0, 1]; of every `parts`-th of them only
+  /// from number `part` on. O(log F) a direction, expected. @pre 0 <= part < parts <= directions.
+  double Of(Index edge, int part = 0, int parts = 1) const;
 
  private:
   using Point = Eigen::Vector3d;

@@ -41,6 +41,8 @@ constexpr CertificateRow kRows[] = {
      ReadMember<&C::layout, &LayoutSummary::visible_cut_length>},
     {"area_used", kLayout, "", "share of the bounding square that the map covers",
      ReadMember<&C::layout, &LayoutSummary::area_used>},
+    {"cuts_tried", kLayout, "", "cuts that led to maps, of which this covers most of its square",
+     ReadMember<&C::layout, &LayoutSummary::cuts_tried>},
     {"given_cut_edges", kLayout, "", "edges of the cut that was given",
      ReadMember<&C::layout, &LayoutSummary::given_cut_edges>},
     {"further_cut_edges", kLayout, "", "edges opened beyond it, which left no disk",

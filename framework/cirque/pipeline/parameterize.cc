@@ -16,6 +16,7 @@
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/intrinsic/loop_rotations.h"
 #include "cirque/pipeline/cone_stages.h"
+#include "cirque/pipeline/fullest_map.h"
 #include "cirque/pipeline/ladder.h"
 #include "cirque/pipeline/lay_out.h"
 #include "cirque/pipeline/prescribe_boundary.h"
@@ -165,10 +166,13 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   if (Status s = CheckRequest(surface, request); !s.ok()) return s;
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
-    return TakeRoad({surface, origin.file, cut, road.options, control,
-                     origin.inside.empty() ? nullptr : &origin.inside, origin.position,
-                     request.rotations.get()},
-                    road, end);
+    const auto make = [&](const ParameterizeOptions& by, Parameterization* map) {
+      return TakeRoad(
+          {surface, origin.file, cut, by, control, origin.inside.empty() ? nullptr : &origin.inside,
+           origin.position, request.rotations.get()},
+          road, map);
+    };
+    return MapFullest(road.options, make, end);
   };
   const Road asked{options, request.targets, {}};
   const bool opens =

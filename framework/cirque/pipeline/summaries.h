@@ -157,6 +157,7 @@ struct LayoutSummary {
   std::optional<int> cones, patches, rotation_order;
   std::optional<double> cut_length, visible_cut_length;
   std::optional<double> area_used;  ///< of the bounding square of all that is written
+  std::optional<int> cuts_tried;    ///< that led to maps, of which this is the fullest
   std::optional<int> given_cut_edges, further_cut_edges;  ///< where a cut was given
   /// Triangles that are flipped or have no area for who reads the coordinates as floats.
   std::optional<int> float32_vanishing_triangles;
