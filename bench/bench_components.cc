@@ -13,7 +13,7 @@ namespace {
 void TimeComponents(benchmark::State& state, int components, int triangles) {
   const Surface& surface = BenchSurface("bumpy_terrain", triangles / components);
   std::vector<ComponentJob> jobs(components, {surface, {}, {}});
-  AtlasSummary atlas;
+  ArrangedAtlas atlas;
   int mapped_components = 0;
   for (auto _ : state) {
     std::vector<MappedComponent> mapped = MapComponents(jobs, {});
