@@ -240,14 +240,6 @@ Status CirclePatternsFlags::CheckFiles() const {
     return refuse(
         "-solve_at takes meshes, and has no flat metric of all faces: leave out -ic, -oc");
   }
-  const OptionMap& shape = job.domain.shape;
-  if (!job.input_con.empty() && !shape.empty()) {
-    return refuse("a metric has no points to be put in a place: leave out -ic or -" +
-                  shape.begin()->first);
-  }
-  if (!job.con.empty() && shape.count("symmetric") && shape.at("symmetric") == "true") {
-    return refuse("-symmetric solves one half, and has no flat metric of all faces: leave out -oc");
-  }
   if (job.output.empty() && (job.input_con.empty() || job.con.empty())) {
     return refuse("no output is given: circle_patterns IN OUT; see --help");
   }
@@ -257,6 +249,16 @@ Status CirclePatternsFlags::CheckFiles() const {
 Status CirclePatternsFlags::CheckDomain() const {
   const auto is_given = [this](const std::string& flag) { return line_.IsGiven(flag); };
   if (Status s = CheckDomainFlags(job_.domain.name, is_given); !s.ok()) return s;
+  const OptionMap& shape = job_.domain.shape;
+  if (!job_.input_con.empty() && !shape.empty()) {
+    return Status::InvalidInput("a metric has no points to be put in a place: leave out -ic or -" +
+                                shape.begin()->first);
+  }
+  const auto symmetric = shape.find("symmetric");
+  if (!job_.con.empty() && symmetric != shape.end() && symmetric->second != "false") {
+    return Status::InvalidInput(
+        "-symmetric solves one half, and has no flat metric of all faces: leave out -oc");
+  }
   if (is_given("corners") && is_given("sides")) {
     return Status::InvalidInput("give --corners or --sides, not both");
   }
