@@ -186,5 +186,14 @@ TEST(ManualPages, NameEveryFlagAndPassTheFormatter) {
   }
 }
 
+TEST(Manners, WhatAMetricHasNotIsNotAskedOfIt) {
+  const ProgramResult pins = RunProgram("circle_patterns a.con b.obj --pins=where.txt");
+  EXPECT_EQ(pins.exit_status, 2);
+  EXPECT_THAT(pins.output, HasSubstr("a metric has no points"));
+  const ProgramResult half = RunProgram("circle_patterns a.obj b.obj --symmetric -oc c.con");
+  EXPECT_EQ(half.exit_status, 2);
+  EXPECT_THAT(half.output, HasSubstr("solves one half"));
+}
+
 }  // namespace
 }  // namespace cirque
