@@ -50,6 +50,13 @@ class Manners : public ::testing::Test {
   const std::string in_ = folder_.Path("mesh.obj"), out_ = folder_.Path("out.obj");
 };
 
+TEST_F(Manners, WhatAMetricHasNotIsNotAskedOfIt) {
+  EXPECT_THAT(JobOf({"a.con", "b.obj", "--pins=where.txt"}).status().message(),
+              HasSubstr("a metric has no points"));
+  EXPECT_THAT(JobOf({"a.obj", "b.obj", "--symmetric", "-oc", "c.con"}).status().message(),
+              HasSubstr("solves one half"));
+}
+
 TEST_F(Manners, FilesAreNamedByTheirPlaces) {
   const auto two = JobOf({"a.obj", "--domain=disk", "b.obj"});
   ASSERT_TRUE(two.ok()) << two.status().message();
@@ -184,15 +191,6 @@ TEST(ManualPages, NameEveryFlagAndPassTheFormatter) {
         RunShell("man --warnings -E UTF-8 -l -Tutf8 -Z " + file + " 2>&1 > /dev/null").output,
         IsEmpty());
   }
-}
-
-TEST(Manners, WhatAMetricHasNotIsNotAskedOfIt) {
-  const ProgramResult pins = RunProgram("circle_patterns a.con b.obj --pins=where.txt");
-  EXPECT_EQ(pins.exit_status, 2);
-  EXPECT_THAT(pins.output, HasSubstr("a metric has no points"));
-  const ProgramResult half = RunProgram("circle_patterns a.obj b.obj --symmetric -oc c.con");
-  EXPECT_EQ(half.exit_status, 2);
-  EXPECT_THAT(half.output, HasSubstr("solves one half"));
 }
 
 }  // namespace
