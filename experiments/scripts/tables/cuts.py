@@ -97,7 +97,7 @@ def tables(runs):
     text = ["# Cuts", f"**Question.** {question}", f"**Answer.** {verdict(of_mesh, names)}",
             "![Medians of every cut](cuts.svg)",
             "Lengths are over the square root of the surface's area; in the visible one every edge counts by the share of directions from "
-            f"which it is seen (8 of 64, each edge others than the next); \"area used\" is the share of its bounding square that a map covers. Over `{REFERENCE}` on the same mesh: "
+            f"which it is seen (64; of long cuts fewer for an edge, each others than the next); \"area used\" is the share of its bounding square that a map covers. Over `{REFERENCE}` on the same mesh: "
             "median (least to greatest).", summary(of_mesh, names)]
     for value, head, form in FIGURES:
         text += [f"## {head[0].upper() + head[1:]}", of_value(of_mesh, names, value, form)]

@@ -1,5 +1,6 @@
 #include "cirque/pipeline/cut_costs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -21,7 +22,9 @@ double SumOverCut(const IntrinsicSurface& surface, const Cut& cut, const Share& 
   return length / std::sqrt(SurfaceArea(surface));
 }
 
-constexpr int kDirections = 64, kParts = 8;
+constexpr int kDirections = 64;
+constexpr int kLooks = 4096;   ///< at the edges of a cut, from all directions together, at least
+constexpr int kMostParts = 8;  ///< of the directions
 
 }  // namespace
 
@@ -46,8 +49,11 @@ double VisibleCutLength(const IntrinsicSurface& surface,
                         const std::vector<Eigen::Vector3d>& position, const Cut& cut) {
   if (cut.IsEmpty()) return 0;
   const Visibility visibility(surface.triangulation, position, kDirections);
-  // An eighth of the directions for each edge, another one for the next: they add up to the same.
-  return SumOverCut(surface, cut, [&](Index e) { return visibility.Of(e, e % kParts, kParts); });
+  // Of a long cut a part of the directions for each edge, other ones for the next, which add up to the
+  // same.
+  const auto edges = std::count(cut.edge.begin(), cut.edge.end(), true);
+  const int parts = std::clamp(static_cast<int>(edges) * kDirections / kLooks, 1, kMostParts);
+  return SumOverCut(surface, cut, [&](Index e) { return visibility.Of(e, e % parts, parts); });
 }
 
 }  // namespace cirque

@@ -22,8 +22,8 @@ StatusOr<Eigen::VectorXd> CutCosts(const CutProblem& problem, const Parameterize
 /// The length of the cut on the surface, over the square root of the surface's area.
 double RelativeCutLength(const IntrinsicSurface& surface, const Cut& cut);
 
-/// The same with every edge counted by the share of eight directions of 64, each edge others than the
-/// one before, from which it is seen (Visibility).
+/// The same with every edge counted by the share of 64 directions from which it is seen (Visibility);
+/// of a long cut by that of a part of them, down to eight, each edge others than the one before.
 double VisibleCutLength(const IntrinsicSurface& surface,
                         const std::vector<Eigen::Vector3d>& position, const Cut& cut);
 
