@@ -1,9 +1,12 @@
 #pragma once
 
+#include <complex>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "cirque/domains/corner_places.h"
 #include "cirque/domains/domain.h"
 
 namespace cirque {
@@ -23,6 +26,11 @@ inline MapRequest RequestFor(const std::string& domain, const DomainOptions& sha
   request.shape = shape;
   request.options = options;
   return request;
+}
+
+/// Where a map without seams has the vertices.
+inline std::vector<std::complex<double>> PlacesOf(const Surface& surface, const SurfaceMap& map) {
+  return PlacesOfVertices(surface.triangulation, map.uv);
 }
 
 /// The map that there must be.

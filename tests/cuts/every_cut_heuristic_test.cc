@@ -7,8 +7,8 @@
 
 #include "cirque/cuts/cut_graph.h"
 #include "cirque/cuts/registry.h"
+#include "cirque/layout/packing.h"
 #include "cirque/mesh/surface.h"
-#include "cirque/pipeline/fullest_map.h"
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/triangulation.h"
+#include "cirque/layout/packing.h"
 
 #include "tests/common/surfaces.h"
 

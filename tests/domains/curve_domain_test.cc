@@ -40,14 +40,6 @@ MapRequest RequestForCurve(const std::string& curve, Index start = kNone) {
   return RequestFor("curve", shape);
 }
 
-std::vector<Complex> PlacesOf(const Surface& surface, const SurfaceMap& map) {
-  std::vector<Complex> place(surface.triangulation.num_vertices);
-  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
-    place[surface.triangulation.vertex[h]] = {map.uv.value[h].x(), map.uv.value[h].y()};
-  }
-  return place;
-}
-
 std::vector<Index> BoundaryOf(const Surface& surface) {
   const std::vector<Index> loop = BoundaryLoops(surface.triangulation).front();
   std::vector<Index> boundary;

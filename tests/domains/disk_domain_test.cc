@@ -18,14 +18,6 @@
 namespace cirque {
 namespace {
 
-std::vector<Complex> Places(const Surface& surface, const SurfaceMap& map) {
-  std::vector<Complex> place(surface.triangulation.num_vertices);
-  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
-    place[surface.triangulation.vertex[h]] = {map.uv.value[h].x(), map.uv.value[h].y()};
-  }
-  return place;
-}
-
 SurfaceMap MapTo(const Surface& surface, const DomainOptions& shape = {}) {
   return MustMap(surface, RequestFor("disk", shape));
 }
@@ -44,7 +36,7 @@ void ExpectDisk(const Surface& surface, const SurfaceMap& map) {
   ASSERT_EQ(map.uv.value.size(), t.vertex.size());
   EXPECT_TRUE(FlippedFaces(t, map.uv).empty());
   EXPECT_EQ(map.certificate.overlap, "injective");
-  const std::vector<Complex> place = Places(surface, map);
+  const std::vector<Complex> place = PlacesOf(surface, map);
   double turned = 0;
   const std::vector<Index> loop = BoundaryLoops(t).front();
   for (const Index h : loop) {
@@ -76,7 +68,7 @@ TEST(DiskDomain, ChosenCentreAndAngleZeroAreExact) {
   domain.angle_zero = SomeVertex(surface, true, 9);
   const SurfaceMap map = MapTo(surface, domain);
   ExpectDisk(surface, map);
-  const std::vector<Complex> place = Places(surface, map);
+  const std::vector<Complex> place = PlacesOf(surface, map);
   EXPECT_EQ(place[domain.centre], Complex(0));
   EXPECT_EQ(place[domain.angle_zero], Complex(1));
   EXPECT_EQ(map.certificate.disk->centre_vertex, domain.centre);
@@ -89,7 +81,7 @@ TEST(DiskDomain, PolesGiveTheSameMapUpToTurningAndDiscretization) {
   std::vector<std::vector<Complex>> places;
   for (const int which : {0, 10, 25}) {
     domain.pole = SomeVertex(surface, true, which);
-    places.push_back(Places(surface, MapTo(surface, domain)));
+    places.push_back(PlacesOf(surface, MapTo(surface, domain)));
   }
   for (const std::size_t other : {1, 2}) {
     Complex turn = 0;
@@ -117,7 +109,7 @@ TEST(DiskDomain, HemisphereComesNearItsStereographicImage) {
   };
   const Moebius centring = Moebius::DiskAutomorphism(known(centre));
   const Complex turn = std::conj(centring(known(zero)).value);
-  const std::vector<Complex> place = Places(surface, map);
+  const std::vector<Complex> place = PlacesOf(surface, map);
   double sum = 0;
   for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {
     sum += std::norm(place[v] - turn * centring(known(v)).value);
@@ -137,7 +129,7 @@ TEST(DiskDomain, NormalizationsCentreTheirMasses) {
   }
   // The boundary's centre of mass without the program's own sum, weighted by half of either edge.
   domain.normalization = "boundary";
-  const std::vector<Complex> place = Places(surface, MapTo(surface, domain));
+  const std::vector<Complex> place = PlacesOf(surface, MapTo(surface, domain));
   Complex sum = 0;
   double total = 0;
   const Triangulation& t = surface.triangulation;
@@ -157,7 +149,7 @@ TEST(DiskDomain, MirroredSurfaceGivesTheMirroredMap) {
   domain.centre = SomeVertex(surface, false, 30);
   domain.angle_zero = SomeVertex(surface, true, 2);
   domain.pole = SomeVertex(surface, true, 7);
-  const std::vector<Complex> before = Places(surface, MapTo(surface, domain));
+  const std::vector<Complex> before = PlacesOf(surface, MapTo(surface, domain));
   Triangulation& t = surface.triangulation;
   std::vector<Index> vertex(t.vertex), twin(t.twin);
   const auto mirrored = [](Index h) { return h % 3 == 0 ? h : (h % 3 == 1 ? h + 1 : h - 1); };
@@ -166,7 +158,7 @@ TEST(DiskDomain, MirroredSurfaceGivesTheMirroredMap) {
     twin[mirrored(h)] = t.twin[h] == kNone ? kNone : mirrored(t.twin[h]);
   }
   t = NumberEdges(t.num_vertices, vertex, twin);
-  const std::vector<Complex> after = Places(surface, MapTo(surface, domain));
+  const std::vector<Complex> after = PlacesOf(surface, MapTo(surface, domain));
   for (std::size_t v = 0; v < before.size(); ++v) {
     EXPECT_LT(std::abs(after[v] - std::conj(before[v])), 1e-8);
   }
@@ -218,7 +210,7 @@ TEST(DiskDomain, RefinementSlidesAlongTheCircleAndKeepsTheCentre) {
   EXPECT_EQ(refined.certificate.disk->centre_vertex, plain.certificate.disk->centre_vertex);
   EXPECT_EQ(*refined.certificate.disk->centre_error, 0);
   ExpectDisk(terrain, refined);
-  const std::vector<Complex> before = Places(terrain, plain), after = Places(terrain, refined);
+  const std::vector<Complex> before = PlacesOf(terrain, plain), after = PlacesOf(terrain, refined);
   const auto zero = static_cast<Index>(refined.certificate.disk->angle_zero_vertex);
   EXPECT_EQ(after[zero], 1.0);
   const std::vector<bool> boundary = BoundaryVertices(terrain.triangulation);
@@ -251,7 +243,7 @@ TEST(HalfPlaneDomain, RefinementKeepsTheBoundaryRealAndInOrder) {
   EXPECT_LT(summary->map_refinement_after, 0.99 * summary->map_refinement_before);
   EXPECT_TRUE(FlippedFaces(terrain.triangulation, refined.uv).empty());
   const auto pole = static_cast<Index>(refined.certificate.half_plane->pole_vertex);
-  const std::vector<Complex> before = Places(terrain, plain), after = Places(terrain, refined);
+  const std::vector<Complex> before = PlacesOf(terrain, plain), after = PlacesOf(terrain, refined);
   EXPECT_EQ(after[pole], before[pole]);
   const Triangulation& t = terrain.triangulation;
   int slid = 0;
@@ -270,7 +262,7 @@ TEST(HalfPlaneDomain, BoundaryIsRealAndTheRestAbove) {
   const Surface surface = GeneratedSurface("hemisphere", 500);
   const SurfaceMap map = MustMap(surface, RequestFor("half_plane"));
   EXPECT_TRUE(FlippedFaces(surface.triangulation, map.uv).empty());
-  const std::vector<Complex> place = Places(surface, map);
+  const std::vector<Complex> place = PlacesOf(surface, map);
   const std::vector<bool> boundary = BoundaryVertices(surface.triangulation);
   const auto pole = static_cast<Index>(map.certificate.half_plane->pole_vertex);
   for (Index v = 0; v < surface.triangulation.num_vertices; ++v) {

@@ -35,14 +35,6 @@ Surface Saddle() {
   });
 }
 
-std::vector<Complex> PlacesOf(const Surface& surface, const SurfaceMap& map) {
-  std::vector<Complex> place(surface.triangulation.num_vertices);
-  for (Index h = 0; h < surface.triangulation.num_halfedges(); ++h) {
-    place[surface.triangulation.vertex[h]] = {map.uv.value[h].x(), map.uv.value[h].y()};
-  }
-  return place;
-}
-
 TEST(MapMirrored, VerticesLieWhereTheirMirrorImagesDoMirrored) {
   const Surface saddle = Saddle();
   const SurfaceMap map = MustMap(saddle, Symmetric());

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::size_t kTogether = 16;    ///< cones whose products are made at once
 constexpr Eigen::Index kStretch = 2048;  ///< vertices
-constexpr int kBySolve =
-    64;  ///< cones whose responses are added up in less time than a solve takes
+constexpr int kBySolve = 64;  ///< cones, from which on a solve takes less time than their sum
 
 }  // namespace
 

@@ -23,15 +23,6 @@ double AreaOf(const Surface& surface) {
   return area;
 }
 
-double AreaOf(const CornerUv& uv) {
-  double area = 0;
-  for (std::size_t h = 0; h < uv.value.size(); h += 3) {
-    const Eigen::Vector2d a = uv.value[h + 1] - uv.value[h], b = uv.value[h + 2] - uv.value[h];
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  return area;
-}
-
 namespace {
 
 Patches PatchesOf(const Triangulation& t, const Cut& cut) {

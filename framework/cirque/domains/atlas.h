@@ -28,7 +28,6 @@ struct PlanarPiece {
 
 /// The area of a surface, and that of an image, of which flipped triangles count as negative.
 double AreaOf(const Surface& surface);
-double AreaOf(const CornerUv& uv);
 
 /// What the frame holds.
 struct ArrangedAtlas {

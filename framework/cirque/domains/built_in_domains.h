@@ -142,8 +142,8 @@ Status MapToRoundHoles(const Surface& surface, const MapRequest& request,
 /// (BoundaryIteration): then the map is a circle pattern's, conformal, whose boundary is that polygon but
 /// for a similarity. Then vertices next to the curve's corners go there, and the interior is refined.
 /// Where the lengths do not settle or triangles would flip, the map, or that to the disk, is bent onto the
-/// curve instead (MeetLandmarks). Of the three degrees of freedom that conformal maps of a disk have the vertex at the
-/// first point takes one; two are where the boundary's lengths lead.
+/// curve instead (MeetLandmarks). Of the three degrees of freedom that conformal maps of a disk have the
+/// vertex at the first point takes one; two are where the boundary's lengths lead.
 ///
 /// Edges between two boundary vertices are split for the solve. Certificate: CurveSummary. Errors:
 /// kInvalidInput for no topological disk, a vertex inside, a curve that is none; those of Parameterize;

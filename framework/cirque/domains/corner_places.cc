@@ -9,13 +9,16 @@
 
 namespace cirque {
 
-Status PutCorners(const Surface& surface, const std::vector<std::complex<double>>& place,
-                  const char* because, SurfaceMap* map) {
-  const Triangulation& t = surface.triangulation;
-  map->uv.value.resize(t.num_halfedges());
+std::vector<std::complex<double>> PlacesOfVertices(const Triangulation& t, const CornerUv& uv) {
+  std::vector<std::complex<double>> place(t.num_vertices);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
-    map->uv.value[h] = {place[h].real(), place[h].imag()};
+    place[t.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
   }
+  return place;
+}
+
+Status MeasurePlaced(const Surface& surface, const char* because, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
   const std::vector<Index> flipped = FlippedFaces(t, map->uv);
   LayoutSummary& layout = Fill(&map->certificate.layout);
   layout.flipped_triangles = static_cast<int>(flipped.size());
@@ -27,6 +30,18 @@ Status PutCorners(const Surface& surface, const std::vector<std::complex<double>
   }
   MeasureDistortion(t, MeasureEdgeLengths(surface), map->cut, map->uv, &map->certificate);
   return Status();
+}
+
+Status PutCorners(const Surface& surface, const std::vector<std::complex<double>>& place,
+                  const char* because, SurfaceMap* map) {
+  map->uv.value.clear();
+  for (const std::complex<double> z : place) map->uv.value.emplace_back(z.real(), z.imag());
+  return MeasurePlaced(surface, because, map);
+}
+
+void ForgetProof(SurfaceMap* map) {
+  map->flat.infeasibility = {};
+  map->certificate.infeasibility = {};
 }
 
 void ForgetCut(const Triangulation& t, SurfaceMap* map) {

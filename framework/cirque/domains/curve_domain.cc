@@ -25,20 +25,11 @@ namespace cirque {
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::Vector2d;
 
 constexpr char kTooCoarse[] =
     "the map onto the curve exists, but triangles stay straight, and where all corners of one lie "
-    "on "
-    "the boundary the curve must turn outwards between them, which here it does not (split such "
+    "on the boundary the curve must turn outwards between them, which here it does not (split such "
     "triangles, or subdivide the mesh)";
-
-/// The map as it is, with its figures, unless triangles of it are flipped.
-Status Deliver(const Surface& surface, SurfaceMap* map) {
-  std::vector<Complex> corners;
-  for (const Vector2d& p : map->uv.value) corners.emplace_back(p.x(), p.y());
-  return PutCorners(surface, corners, kTooCoarse, map);
-}
 
 /// The vertices of a boundary, and where on the curve they are to lie.
 std::vector<Landmark> LandmarksOf(const ClosedCurve& curve, const VerticesOnCurve& on) {
@@ -52,10 +43,7 @@ std::vector<Landmark> LandmarksOf(const ClosedCurve& curve, const VerticesOnCurv
 /// Per vertex of the disk where it is laid out, moved nearest to where the boundary is to lie.
 std::vector<Complex> PlacesNear(const std::vector<Landmark>& landmarks, const Triangulation& t,
                                 const CornerUv& uv) {
-  std::vector<Complex> place(t.num_vertices), from, to;
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    place[t.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
-  }
+  std::vector<Complex> place = PlacesOfVertices(t, uv), from, to;
   for (const Landmark& landmark : landmarks) {
     from.push_back(place[landmark.vertex]);
     to.emplace_back(landmark.at.x(), landmark.at.y());
@@ -138,7 +126,7 @@ Status FinishOnCurve(const Surface& surface, const ClosedCurve& curve, VerticesO
   if (!FlippedFaces(t, map->uv).empty()) {
     Status bent = FindStart(surface, landmarks, request, control, &near);
     if (bent.code() == StatusCode::kCancelled) return bent;
-    if (!bent.ok()) return Deliver(surface, map);
+    if (!bent.ok()) return MeasurePlaced(surface, kTooCoarse, map);
     map->uv = std::move(near);
     bent = BendOntoCurve(intrinsic, landmarks, control, &map->uv, &summary);
     if (!bent.ok()) return bent;
@@ -147,7 +135,7 @@ Status FinishOnCurve(const Surface& surface, const ClosedCurve& curve, VerticesO
   const Status status =
       RefineOnCurve(intrinsic, curve, request.options.refine_map, control.cancelled, &on, &map->uv,
                     &map->certificate.map_refinement);
-  return status.ok() ? Deliver(surface, map) : status;
+  return status.ok() ? MeasurePlaced(surface, kTooCoarse, map) : status;
 }
 
 Status CheckStart(const Surface& surface, const std::vector<Index>& loop, Index start) {
@@ -175,8 +163,7 @@ Status MapToCurve(const Surface& surface, const MapRequest& request, const Solve
   CurveFit fit(split, *curve, request, control);
   const Status solved = fit.Run(map);
   if (solved.code() == StatusCode::kInfeasible && !none) {
-    map->flat.infeasibility = {};
-    map->certificate.infeasibility = {};
+    ForgetProof(map);
     return Status(StatusCode::kNotConverged,
                   "with edges between two vertices of the boundary split, the mesh has no circle "
                   "pattern; subdivide it");

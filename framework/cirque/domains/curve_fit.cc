@@ -24,7 +24,6 @@ constexpr double kAtRest = 1e-7;  ///< of log lengths: what lies inside is refin
 CurveFit::CurveFit(const Surface& disk, const ClosedCurve& curve, const MapRequest& request,
                    const SolveControl& control)
     : disk_(disk),
-      surface_(MeasureSurface(disk.triangulation, MeasureEdgeLengths(disk))),
       polygons_(curve),
       curve_(curve),
       request_(request),
@@ -82,11 +81,12 @@ void CurveFit::Begin(const SurfaceMap& free) {
 }
 
 void CurveFit::Bound() {
+  const std::vector<Index> corners = CornersPerVertex(disk_.triangulation);
   lower_ = VectorXd::Constant(static_cast<Eigen::Index>(loop_.size()), kLeastAngle);
   upper_ = lower_;
   for (std::size_t k = 0; k < on_curve_.vertex.size(); ++k) {
     upper_[static_cast<Eigen::Index>(k)] =
-        std::min(kGreatestAngle, kShare * kPi * surface_.corners[on_curve_.vertex[k]]);
+        std::min(kGreatestAngle, kShare * kPi * corners[on_curve_.vertex[k]]);
   }
 }
 

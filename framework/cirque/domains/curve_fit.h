@@ -9,7 +9,6 @@
 #include "cirque/core/status.h"
 #include "cirque/domains/domain.h"
 #include "cirque/domains/inscribed_in_curve.h"
-#include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/closed_curve.h"
 #include "cirque/mesh/surface.h"
 
@@ -47,7 +46,6 @@ class CurveFit {
   Status TooFewVertices() const;
 
   const Surface& disk_;
-  const IntrinsicSurface surface_;
   const InscribedPolygons polygons_;
   const ClosedCurve& curve_;
   const MapRequest& request_;

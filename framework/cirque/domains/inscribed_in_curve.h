@@ -36,11 +36,10 @@ class InscribedPolygons {
   const ClosedCurve& curve_;
 };
 
-/// The share in [0, 1) of a curve at which a polygon begins so that it turns most nearly as the curve
-/// does: that of its corners, of 256 at most, whose turning function is nearest to the curve's but for a
-/// rotation, in the mean square (E. Arkin, L. Chew, D. Huttenlocher, K. Kedem, J. Mitchell, "An efficiently
-/// computable metric for comparing polygonal shapes", IEEE PAMI 13, 1991). Returns that corner.
-/// `lengths`: of the sides from every corner; `angles`: interior ones [rad].
+/// The corner from which a polygon turns most nearly as a curve does from its beginning: of 256 at most
+/// that whose turning function is nearest to the curve's but for a rotation, in the mean square (E. Arkin,
+/// L. Chew, D. Huttenlocher, K. Kedem, J. Mitchell, "An efficiently computable metric for comparing
+/// polygonal shapes", IEEE PAMI 13, 1991). `lengths`: of the sides from every corner; `angles`: interior ones [rad].
 int NearestStart(const ClosedCurve& curve, const Eigen::VectorXd& lengths,
                  const Eigen::VectorXd& angles);
 

@@ -275,8 +275,7 @@ Status MapMirrored(const Surface& surface, const MapRequest& request, const Solv
   Status status = Parameterize(*half, {options, halved.TargetsOf(*half), {}, {}}, control, map);
   map->certificate.mirror = halved.Summary();
   if (!status.ok()) {
-    map->certificate.infeasibility = {};
-    map->flat.infeasibility = {};
+    ForgetProof(map);
     const bool infeasible = status.code() == StatusCode::kInfeasible;
     return Status(infeasible ? StatusCode::kNotConverged : status.code(), status.message())
         .In("symmetric: the half");

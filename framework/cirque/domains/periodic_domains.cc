@@ -11,6 +11,7 @@
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/corner_places.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/packing.h"
 #include "cirque/layout/seams.h"
 #include "cirque/math/lattice.h"
 #include "cirque/math/moebius.h"
@@ -182,19 +183,9 @@ std::vector<Complex> WindRound(const Triangulation& t, const Strip& strip,
   return result;
 }
 
-/// The area of the image.
-double ImageArea(const CornerUv& uv) {
-  double twice = 0;
-  for (std::size_t h = 0; h < uv.value.size(); h += 3) {
-    const Eigen::Vector2d a = uv.value[h + 1] - uv.value[h], b = uv.value[h + 2] - uv.value[h];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
-
 /// The lattice of the torus, from what leads across the seams.
 StatusOr<Lattice> LatticeOf(const Triangulation& t, const SurfaceMap& map) {
-  const double area = ImageArea(map.uv);
+  const double area = AreaOf(map.uv);
   const std::vector<Complex> seams = SeamTranslations(map, t);
   for (std::size_t i = 0; i < seams.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

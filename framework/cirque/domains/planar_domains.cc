@@ -12,6 +12,7 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
+#include "cirque/domains/corner_places.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/domains/polygon_corners.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
@@ -64,15 +65,6 @@ ConeTargets PolygonTargets(const Triangulation& t, const std::vector<Index>& cor
   const double angle = kPi * (1 - 2 / static_cast<double>(corners.size()));
   for (const Index v : corners) targets.lower[v] = targets.upper[v] = angle;
   return targets;
-}
-
-/// Where the layout has the vertices.
-std::vector<Complex> Places(const Triangulation& t, const CornerUv& uv) {
-  std::vector<Complex> place(t.num_vertices);
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    place[t.vertex[h]] = {uv.value[h].x(), uv.value[h].y()};
-  }
-  return place;
 }
 
 /// Turns and scales, corner 0 to 0 and corner 1 to 1.
@@ -212,7 +204,7 @@ Status PutExactInPlace(const Triangulation& t, const std::vector<Index>& corners
 Status PutInPlace(const Surface& surface, const std::vector<Index>& corners, Shape shape,
                   SurfaceMap* map) {
   const Triangulation& t = surface.triangulation;
-  std::vector<Complex> place = Places(t, map->uv);
+  std::vector<Complex> place = PlacesOfVertices(t, map->uv);
   Align(corners, &place);
   std::optional<std::pair<double, double>> modulus_and_mismatch;
   if (shape == Shape::kRectangle) modulus_and_mismatch = SnapToRectangle(t, corners, &place);

@@ -139,7 +139,7 @@ Status RoundLoops(const Surface& surface, const std::vector<Loop>& loops, const 
 }
 
 /// The mean of the places of every vertex, which the seams part by rounding.
-std::vector<Complex> PlacesOfVertices(const Triangulation& t, const CornerUv& uv) {
+std::vector<Complex> MeanPlaces(const Triangulation& t, const CornerUv& uv) {
   std::vector<Complex> place(t.num_vertices);
   std::vector<double> corners(t.num_vertices, 0);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
@@ -239,14 +239,13 @@ Status SolveWithoutChords(const Surface& surface, const std::vector<Loop>& loops
   int rounds = 0;
   const Status rounded = RoundLoops(split, solved, request, control, map, &rounds);
   if (rounded.code() == StatusCode::kInfeasible && !none) {
-    map->flat.infeasibility = {};
-    map->certificate.infeasibility = {};
+    ForgetProof(map);
     return Status(StatusCode::kNotConverged,
                   "with edges between two vertices of the outer boundary split, the mesh has no "
                   "circle pattern with round boundaries; subdivide it");
   }
   if (!rounded.ok()) return rounded;
-  std::vector<Complex> place = PlacesOfVertices(t, map->uv);
+  std::vector<Complex> place = MeanPlaces(t, map->uv);
   RoundHolesSummary summary = PutOnCircles(t, solved, &place);
   summary.rounds = rounds;
   summary.chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cirque/layout/gauss_newton.h"
+#include "cirque/layout/packing.h"
 #include "cirque/layout/stretch_sum.h"
 #include "cirque/math/predicates.h"
 
@@ -18,16 +19,6 @@ constexpr double kFirstWeight = 1, kLastWeight = 1e8, kFactor = 100;
 
 Complex ToComplex(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
 
-double ImageArea(const CornerUv& uv) {
-  double twice = 0;
-  for (std::size_t h = 0; h < uv.value.size(); h += 3) {
-    const Complex a = ToComplex(uv.value[h + 1] - uv.value[h]);
-    const Complex b = ToComplex(uv.value[h + 2] - uv.value[h]);
-    twice += (std::conj(a) * b).imag();
-  }
-  return twice / 2;
-}
-
 class LandmarkDescent {
  public:
   LandmarkDescent(const SeamedSurface& of, const StretchEnergy& energy,
@@ -39,7 +30,7 @@ class LandmarkDescent {
         landmarks_(landmarks),
         cancelled_(cancelled),
         uv_(uv),
-        area_(ImageArea(*uv)),
+        area_(AreaOf(*uv)),
         map_(of, *uv, 0),
         unit_(BestUnit(map_.faces(), energy, map_.z())) {
     const Triangulation& t = of.surface.triangulation;

@@ -219,4 +219,20 @@ Packing PackPatches(const CornerUv& uv, const Patches& patches, const PackingOpt
   return packing;
 }
 
+double AreaOf(const CornerUv& uv) {
+  double area = 0;
+  for (std::size_t h = 0; h < uv.value.size(); h += 3) {
+    const Eigen::Vector2d a = uv.value[h + 1] - uv.value[h], b = uv.value[h + 2] - uv.value[h];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  return area;
+}
+
+double AreaUsed(const CornerUv& uv) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : uv.value) box.extend(p);
+  const double side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  return side > 0 ? AreaOf(uv) / (side * side) : 0;
+}
+
 }  // namespace cirque

@@ -31,6 +31,13 @@ struct Packing {
 /// @pre finite UVs.
 Packing PackPatches(const CornerUv& uv, const Patches& patches, const PackingOptions& options);
 
+/// The area of the image, what is flipped negative.
+double AreaOf(const CornerUv& uv);
+
+/// The share of their bounding square that the triangles of a map cover; those on one another count
+/// again. 0 without triangles.
+double AreaUsed(const CornerUv& uv);
+
 /// The direction [rad] of a side of the bounding rectangle of least area, by rotating calipers
 /// (G. Toussaint, "Solving geometric problems with the rotating calipers", 1983). 0 for points that
 /// lie on no two lines.

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "cirque/core/solve_summary.h"
 #include "cirque/cuts/registry.h"
+#include "cirque/layout/packing.h"
 
 namespace cirque {
 namespace {
@@ -47,18 +46,6 @@ Status MapFullest(const ParameterizeOptions& options, const MapByOptions& make,
   if (!most) return *failed;
   Fill(&result->certificate.layout).cuts_tried = tried;
   return Status();
-}
-
-double AreaUsed(const CornerUv& uv) {
-  Eigen::AlignedBox2d box;
-  double twice = 0;
-  for (std::size_t h = 0; h < uv.value.size(); h += 3) {
-    const Eigen::Vector2d a = uv.value[h + 1] - uv.value[h], b = uv.value[h + 2] - uv.value[h];
-    twice += a.x() * b.y() - a.y() * b.x();
-    for (std::size_t k = h; k < h + 3; ++k) box.extend(uv.value[k]);
-  }
-  const double side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-  return side > 0 ? twice / (2 * side * side) : 0;
 }
 
 }  // namespace cirque

@@ -18,8 +18,4 @@ using MapByOptions = std::function<Status(const ParameterizeOptions&, Parameteri
 Status MapFullest(const ParameterizeOptions& options, const MapByOptions& make,
                   Parameterization* result);
 
-/// The share of their bounding square that the triangles of a map cover; those on one another count
-/// again.
-double AreaUsed(const CornerUv& uv);
-
 }  // namespace cirque

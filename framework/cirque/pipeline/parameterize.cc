@@ -28,6 +28,18 @@ constexpr double kFlatness = 1e-6;  ///< [rad]: a vertex closer to 2 pi is no co
 
 using Job = ParameterizeJob;
 
+/// Opens and lays out by the options' cut heuristic, or by all its candidates (MapFullest): what was
+/// solved before is theirs together.
+Status ByFullestCut(Status (*lay_out)(const Job&, Parameterization*), const Job& job,
+                    Parameterization* result) {
+  const auto by = [&](const ParameterizeOptions& options, Parameterization* map) {
+    return lay_out({job.surface, job.file, job.cut, options, job.control, job.inside, job.position,
+                    job.rotations},
+                   map);
+  };
+  return MapFullest(job.options, by, result);
+}
+
 /// What follows on a flat metric.
 Status Finish(const Job& job, Parameterization* result) {
   if (job.options.refine_cones > 0) {
@@ -38,7 +50,7 @@ Status Finish(const Job& job, Parameterization* result) {
     result->certificate.seconds.refine_cones = timer.Seconds();
     if (!status.ok()) return status;
   }
-  return LayOutAndMeasure(job, result);
+  return ByFullestCut(LayOutAndMeasure, job, result);
 }
 
 /// The number of cones that a heuristic was asked for; -1: none.
@@ -89,7 +101,7 @@ Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
           "rotations: across the free seams of a cut that is given without cones directions turn "
           "by any angle; take seams = rigid");
     }
-    return OpenAndLayOut(job, result);
+    return ByFullestCut(OpenAndLayOut, job, result);
   } else if (Status s = Place(job, result); !s.ok()) {
     return s;
   }
@@ -166,13 +178,10 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   if (Status s = CheckRequest(surface, request); !s.ok()) return s;
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const auto take = [&](const Road& road, Parameterization* end) {
-    const auto make = [&](const ParameterizeOptions& by, Parameterization* map) {
-      return TakeRoad(
-          {surface, origin.file, cut, by, control, origin.inside.empty() ? nullptr : &origin.inside,
-           origin.position, request.rotations.get()},
-          road, map);
-    };
-    return MapFullest(road.options, make, end);
+    return TakeRoad({surface, origin.file, cut, road.options, control,
+                     origin.inside.empty() ? nullptr : &origin.inside, origin.position,
+                     request.rotations.get()},
+                    road, end);
   };
   const Road asked{options, request.targets, {}};
   const bool opens =
