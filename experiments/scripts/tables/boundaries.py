@@ -2,7 +2,7 @@
 import statistics
 
 from tables import records
-from tables.records import number, plt, quantiles, shown, table
+from tables.records import by_choice, number, plt, quantiles, shown, table, value_table
 
 OUTPUT = "boundaries"
 REFERENCE = "isometric"
@@ -12,11 +12,6 @@ def lever(run):
     """What the run changed: the boundary's name, or how many cones."""
     cones = run.method.get("cone_budget", -1)
     return f"{cones} cones" if run.group == "cones" else run.method.get("boundary", "free")
-
-
-def by_lever(runs):
-    """{mesh: {lever: run}}, smallest mesh first."""
-    return {mesh: {lever(run): run for run in runs if run.mesh == mesh} for mesh in records.by_size(runs)}
 
 
 def ratios(of_mesh, name, value):
@@ -41,22 +36,19 @@ def summary(of_mesh, names):
 
 
 def tables(runs):
-    of_mesh = by_lever(runs)
+    of_mesh = by_choice(runs, lever)
     names = records.in_order(lever(run) for run in runs)
-    rows = [[mesh, next(iter(levers.values())).triangles]
-            + [shown(levers.get(name), levers[name].value("log_scale_l2") if name in levers else None, "{:.4f}")
-               for name in names] for mesh, levers in of_mesh.items()]
     worst = [[mesh] + [shown(levers.get(name), levers[name].value("log_scale_max") if name in levers else None, "{:.2f}")
                        for name in names] for mesh, levers in of_mesh.items()]
     return "\n\n".join(["# Boundaries by name",
                         f"Over `{REFERENCE}` on the same mesh: median (least to greatest).", summary(of_mesh, names),
                         "## L2 of the log scale about its mean, by area",
-                        table(["mesh", "triangles"] + [f"`{name}`" for name in names], rows),
+                        value_table(of_mesh, names, "log_scale_l2", "{:.4f}"),
                         "## Its maximum", table(["mesh"] + [f"`{name}`" for name in names], worst)])
 
 
 def draw(runs, path):
-    of_mesh = by_lever(runs)
+    of_mesh = by_choice(runs, lever)
     names = [name for name in records.in_order(lever(run) for run in runs) if name != REFERENCE]
     figure, axis = plt.subplots(figsize=(6, 3))
     for place, name in enumerate(names):

@@ -2,7 +2,7 @@
 import statistics
 
 from tables import records
-from tables.records import plt, quantiles, shown, table
+from tables.records import by_choice, plt, quantiles, table, value_table
 
 OUTPUT = "cuts"
 REFERENCE = "rigid, flat_length"
@@ -20,11 +20,6 @@ def choice(run):
     if run.group == "towards":
         return f"free, towards {run.method['cone_budget']} cones"
     return f"{run.group}, {run.method['cut_cost']}"
-
-
-def by_choice(runs):
-    """{mesh: {choice: run}}, smallest mesh first."""
-    return {mesh: {choice(run): run for run in runs if run.mesh == mesh} for mesh in records.by_size(runs)}
 
 
 def pairs(of_mesh, name, other=REFERENCE):
@@ -83,15 +78,8 @@ def summary(of_mesh, names):
     return table(head, rows, 3)
 
 
-def of_value(of_mesh, names, value, text):
-    rows = [[mesh, next(iter(of.values())).triangles]
-            + [shown(of.get(name), of[name].value(value) if name in of else None, text) for name in names]
-            for mesh, of in of_mesh.items()]
-    return table(["mesh", "triangles"] + [f"`{name}`" for name in names], rows)
-
-
 def tables(runs):
-    of_mesh = by_choice(runs)
+    of_mesh = by_choice(runs, choice)
     names = records.in_order(choice(run) for run in runs)
     question = runs[0].record.get("provenance", {}).get("question", "")
     text = ["# Cuts", f"**Question.** {question}", f"**Answer.** {verdict(of_mesh, names)}",
@@ -100,12 +88,12 @@ def tables(runs):
             f"which it is seen (64; of long cuts fewer for an edge, each others than the next); \"area used\" is the share of its bounding square that a map covers. Over `{REFERENCE}` on the same mesh: "
             "median (least to greatest).", summary(of_mesh, names)]
     for value, head, form in FIGURES:
-        text += [f"## {head[0].upper() + head[1:]}", of_value(of_mesh, names, value, form)]
+        text += [f"## {head[0].upper() + head[1:]}", value_table(of_mesh, names, value, form)]
     return "\n\n".join(text)
 
 
 def draw(runs, path):
-    of_mesh = by_choice(runs)
+    of_mesh = by_choice(runs, choice)
     names = records.in_order(choice(run) for run in runs)[::-1]
     figure, axis = plt.subplots(figsize=(6, 0.24 * len(names) + 1))
     for (value, head, _), marker, colour in zip(FIGURES, "o^sDv", records.COLOURS):

@@ -2,7 +2,7 @@
 import statistics
 
 from tables import records
-from tables.records import number, plt, quantiles, shown, table
+from tables.records import by_choice, number, plt, quantiles, table, value_table
 
 OUTPUT = "levers"
 REFERENCE = "isometric"
@@ -17,11 +17,6 @@ def lever(run):
     if run.group == "cones":
         return f"{run.method['cone_budget']} cones"
     return run.method.get("refine_map" if run.group == "beyond" else "boundary", "free")
-
-
-def by_lever(runs):
-    """{mesh: {lever: run}}, smallest mesh first."""
-    return {mesh: {lever(run): run for run in runs if run.mesh == mesh} for mesh in records.by_size(runs)}
 
 
 def ratios(of_mesh, name, value):
@@ -48,26 +43,19 @@ def summary(of_mesh, names):
     return table(head, rows, texts=2)
 
 
-def of_meshes(of_mesh, names, value, form):
-    rows = [[mesh, next(iter(levers.values())).triangles]
-            + [shown(levers.get(name), levers[name].value(value) if name in levers else None, form) for name in names]
-            for mesh, levers in of_mesh.items()]
-    return table(["mesh", "triangles"] + [f"`{name}`" for name in names], rows)
-
-
 def tables(runs):
-    of_mesh = by_lever(runs)
+    of_mesh = by_choice(runs, lever)
     names = records.in_order(lever(run) for run in runs)
     parts = ["# Which lever to pull against area distortion",
              f"Over `{REFERENCE}` on the same mesh: median (least to greatest). What to take when: "
              "[levers](../framework/docs/levers.md).", summary(of_mesh, names)]
     for value, title, form in FIGURES:
-        parts += [f"## {title}", of_meshes(of_mesh, names, value, form)]
+        parts += [f"## {title}", value_table(of_mesh, names, value, form)]
     return "\n\n".join(parts)
 
 
 def draw(runs, path):
-    of_mesh = by_lever(runs)
+    of_mesh = by_choice(runs, lever)
     names = [name for name in records.in_order(lever(run) for run in runs) if name != REFERENCE]
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.4))
     for axis, (value, title) in zip(axes, [("log_scale_l2", "L2 of the log scale"), ("quasi_conformal_mean", "mean qc")]):

@@ -7,8 +7,8 @@ import statistics
 
 import matplotlib
 
-from tables.runs import (BadRecords, Run, by_size, in_order, median_interval, number, quantiles, read, shown,  # noqa: F401
-                         table)
+from tables.runs import (BadRecords, Run, by_choice, by_size, in_order, median_interval, number, quantiles, read,  # noqa: F401
+                         shown, table, value_table)
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt

@@ -96,6 +96,19 @@ def table(head, rows, texts=1):
     return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
 
 
+def by_choice(runs, choice):
+    """{mesh: {choice(run): run}}, smallest mesh first."""
+    return {mesh: {choice(run): run for run in runs if run.mesh == mesh} for mesh in by_size(runs)}
+
+
+def value_table(of_mesh, names, value, text):
+    """A value of every choice on every mesh (by_choice)."""
+    rows = [[mesh, next(iter(of.values())).triangles]
+            + [shown(of.get(name), of[name].value(value) if name in of else None, text) for name in names]
+            for mesh, of in of_mesh.items()]
+    return table(["mesh", "triangles"] + [f"`{name}`" for name in names], rows)
+
+
 def quantiles(values):
     """"median (least to greatest)"."""
     if not values:
