@@ -35,8 +35,8 @@ struct Case {
   Status FitRows(const Eigen::Vector2d& change, AngleFitResult* result) const {
     AngleFitProblem problem = Problem();
     problem.start = &fit.multipliers;
-    Eigen::VectorXd z;
-    return FitWithRows(problem, objective, {rows, fit.angles.value, change}, {}, &z, result);
+    RowFitMemory memory;
+    return FitWithRows(problem, objective, {rows, fit.angles.value, change}, {}, &memory, result);
   }
 
   /// A, dense.
@@ -124,23 +124,48 @@ TEST(FitWithRows, SaysWhereThereAreNoSuchAngles) {
   EXPECT_EQ(c.FitRows({1e3, 0}, &result).code(), StatusCode::kNotConverged);
 }
 
+// Rows enough for conjugate gradients with the Schur complement of other rows to be tried.
+TEST(FitWithRows, WhatAnEarlierFitLeftChangesNothing) {
+  Case c("entropy");
+  c.rows.resize(c.reference.size(), 16);
+  for (Index h = 0; h < c.rows.rows(); ++h) {
+    for (int q = 0; q < 16; ++q) c.rows(h, q) = std::sin((0.3 + 0.17 * q) * h);
+  }
+  AngleFitProblem problem = c.Problem();
+  problem.start = &c.fit.multipliers;
+  const Eigen::VectorXd change = Eigen::VectorXd::LinSpaced(16, -0.02, 0.03);
+  RowFitMemory memory;
+  AngleFitResult result, fresh;
+  const ExtraRows extra = {c.rows, c.fit.angles.value, change};
+  ASSERT_TRUE(FitWithRows(problem, c.objective, extra, {}, &memory, &result).ok());
+  for (Index h = 0; h < c.rows.rows(); ++h) c.rows.row(h) *= 1 + 0.05 * std::cos(1.3 * h);
+  memory.z.resize(0);
+  RowFitMemory none;
+  ASSERT_TRUE(FitWithRows(problem, c.objective, extra, {}, &memory, &result).ok());
+  ASSERT_TRUE(FitWithRows(problem, c.objective, extra, {}, &none, &fresh).ok());
+  EXPECT_LT((result.angles.value - fresh.angles.value).lpNorm<Eigen::Infinity>(), 1e-10);
+  const Eigen::VectorXd found = c.rows.transpose() * (result.angles.value - c.fit.angles.value);
+  EXPECT_LT((found - change).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
 TEST(FitWithRows, TakesNoRangesAndCanBeCancelled) {
   Case c("entropy");
   AngleFitResult result;
-  Eigen::VectorXd z;
+  RowFitMemory memory;
   const std::atomic<bool> cancelled = true;
   SolveControl control;
   control.cancelled = &cancelled;
   const ExtraRows extra = {c.rows, c.fit.angles.value, Eigen::Vector2d(0.01, 0)};
-  EXPECT_EQ(FitWithRows(c.Problem(), c.objective, extra, control, &z, &result).code(),
+  EXPECT_EQ(FitWithRows(c.Problem(), c.objective, extra, control, &memory, &result).code(),
             StatusCode::kCancelled);
   const std::vector<bool> boundary = BoundaryVertices(c.surface.triangulation);
   for (std::size_t v = 0; v < boundary.size(); ++v) {
     if (!boundary[v]) c.targets.upper[v] += 0.1;
   }
   const AngleConstraints ranged(c.surface.triangulation, c.targets);
-  EXPECT_EQ(FitWithRows({ranged, c.reference, 1e-3}, c.objective, extra, {}, &z, &result).code(),
-            StatusCode::kInvalidInput);
+  EXPECT_EQ(
+      FitWithRows({ranged, c.reference, 1e-3}, c.objective, extra, {}, &memory, &result).code(),
+      StatusCode::kInvalidInput);
 }
 
 }  // namespace

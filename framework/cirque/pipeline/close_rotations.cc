@@ -14,6 +14,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMostSteps = 24, kMostHalvings = 4;
+constexpr double kNear = 1e-2;          ///< [rad]: misses that the angles nearest to the last close
 constexpr double kGoal = 1e-11;         ///< [rad]: rounding allows hardly less
 constexpr double kLeastProgress = 0.9;  ///< of a miss, by a step worth taking
 
@@ -79,35 +80,40 @@ class Closing {
     return basis_.Rotations(FlatCornerAngles(t_, angles, log_radii).value);
   }
 
-  /// A share of the way to the targets. `taken`: whether it misses them by less.
+  /// A share of the way to the targets. `taken`: whether it misses them by less. Angles nearest to
+  /// the surface's move along what the rows allow while these turn, and close by a share a step;
+  /// once little is missing, those nearest to the last ones close it as Newton's method does.
   Status TryStep(const Eigen::MatrixXd& rows, double share, const SolverStrategy& strategy,
                  bool* taken) {
     const ExtraRows extra = {rows, angles_.value, share * (targets_ - rotations_)};
-    AngleFitProblem problem = fit_;
-    problem.start = &multipliers_;
+    const bool near = Miss() < kNear;
+    AngleFitProblem problem = {fit_.constraints, near ? angles_.value : fit_.reference,
+                               fit_.epsilon};
+    problem.start = near ? nullptr : &multipliers_;
     AngleFitResult fit;
-    Eigen::VectorXd z = row_multipliers_;
-    Status status = FitWithRows(problem, objective_, extra, job_.control, &z, &fit);
+    const Eigen::VectorXd z = memory_.z;
+    if (near) memory_.z.setZero();
+    Status status = FitWithRows(problem, objective_, extra, job_.control, &memory_, &fit);
     if (!status.ok()) return status;
     LogRadiiResult radii;
     status = SolveLogRadii(t_, fit.angles, strategy, job_.control, &radii);
-    if (!status.ok()) return status;
-    const Eigen::VectorXd rotations = Measure(fit.angles, radii.log_radii);
-    const double allowed = 1 - (1 - kLeastProgress) * share;
-    *taken = (targets_ - rotations).lpNorm<Eigen::Infinity>() < allowed * Miss();
-    if (*taken) Accept(std::move(fit), std::move(radii), rotations, std::move(z));
-    return Status();
+    if (status.ok()) {
+      const Eigen::VectorXd rotations = Measure(fit.angles, radii.log_radii);
+      const double allowed = 1 - (1 - kLeastProgress) * share;
+      *taken = (targets_ - rotations).lpNorm<Eigen::Infinity>() < allowed * Miss();
+      if (*taken) Accept(std::move(fit), std::move(radii), rotations);
+    }
+    if (!*taken) memory_.z = z;
+    return status;
   }
 
-  void Accept(AngleFitResult fit, LogRadiiResult radii, const Eigen::VectorXd& rotations,
-              Eigen::VectorXd z) {
+  void Accept(AngleFitResult fit, LogRadiiResult radii, const Eigen::VectorXd& rotations) {
     angles_ = std::move(fit.angles);
-    multipliers_ = std::move(fit.multipliers);
+    if (Miss() >= kNear) multipliers_ = std::move(fit.multipliers);
     kkt_ = fit.kkt;
     log_radii_ = std::move(radii.log_radii);
     radii_gradient_ = radii.gradient_max;
     rotations_ = rotations;
-    row_multipliers_ = std::move(z);
   }
 
   const FlattenJob& job_;
@@ -117,7 +123,8 @@ class Closing {
   const std::shared_ptr<const AngleObjective> objective_;  ///< borrowed
   CoherentAngles angles_;
   LogRadii log_radii_;
-  Eigen::VectorXd multipliers_, row_multipliers_;
+  Eigen::VectorXd multipliers_;
+  RowFitMemory memory_;
   const Eigen::VectorXd start_;
   Eigen::VectorXd rotations_, targets_;
   KktReport kkt_;

@@ -37,7 +37,8 @@ struct LoopBasis {
 /// Whether rotations along the job's loops are to be met.
 bool MeetsRotations(const FlattenJob& job);
 
-/// Of prescribed loops of `input`, the surface's triangulation, in the one that the metric was solved on.
+/// Of prescribed loops of `input`, the surface's triangulation, in the one that the metric was
+/// solved on.
 LoopBasis LoopsOf(const PrescribedRotations& rotations, const Triangulation& input,
                   const FlatSurface& flat);
 
@@ -55,13 +56,15 @@ struct RotationMiss {
 };
 RotationMiss MissOf(const Eigen::VectorXd& rotations, double unit);
 
-/// Notes in the certificate what the metric's rotations along prescribed loops are, and by how much they miss.
+/// Notes in the certificate what the metric's rotations along prescribed loops are, and by how much
+/// they miss.
 void NoteLoops(const Triangulation& input, const PrescribedRotations& rotations,
                Parameterization* result);
 
 /// Changes the angles of a circle pattern so that its rotations are the multiples of the unit
-/// nearest to what they are, or those prescribed along the job's loops: Newton's method on r(alpha), with the derivative of the finished
-/// metric (RotationGradients), each step the angles nearest to the references, under the same
+/// nearest to what they are, or those prescribed along the job's loops: Newton's method on
+/// r(alpha), with the derivative of the finished metric (RotationGradients), each step the angles
+/// nearest to the references, or, once little is missing, to the last ones, under the same
 /// equations and inequalities, with the linearised rotations as equations more (FitWithRows), and
 /// the radii of those angles. Half a step where a whole one misses by more.
 ///
