@@ -1,6 +1,7 @@
 #include "cirque/metrics/injectivity.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,18 @@ CornerUv Wound(const Surface& strip, int columns, double turns, double rise) {
     uv.value.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
   return uv;
+}
+
+// Coordinates that 32 bits cannot hold collapse no fewer faces than zeros do.
+TEST(Injectivity, FacesWhoseCoordinatesOverflowAreFlipped) {
+  const Surface fan = Fan(6, 0);
+  CornerUv uv = UvOf(fan);
+  for (Eigen::Vector2d& x : uv.value) x *= 1e60;
+  EXPECT_TRUE(FlippedFaces(fan.triangulation, uv).empty());
+  EXPECT_EQ(FlippedFacesInFloat32(fan.triangulation, uv).size(), 6u);
+  uv.value[3].x() = std::numeric_limits<double>::infinity();
+  uv.value[7].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(FlippedFaces(fan.triangulation, uv), (std::vector<Index>{1, 2}));
 }
 
 TEST(OverlapsItself, WhatLiesUponItselfDoesAndWhatTouchesDoesNot) {

@@ -15,9 +15,9 @@ using Eigen::Vector3d;
 std::vector<Index> FlippedFaces(const Triangulation& t, const CornerUv& uv) {
   std::vector<Index> flipped;
   for (Index f = 0; f < t.num_faces(); ++f) {
-    if (OrientationSign(uv.value[3 * f], uv.value[3 * f + 1], uv.value[3 * f + 2]) <= 0) {
-      flipped.push_back(f);
-    }
+    const Eigen::Vector2d &a = uv.value[3 * f], &b = uv.value[3 * f + 1], &c = uv.value[3 * f + 2];
+    const bool finite = a.allFinite() && b.allFinite() && c.allFinite();
+    if (!finite || OrientationSign(a, b, c) <= 0) flipped.push_back(f);
   }
   return flipped;
 }

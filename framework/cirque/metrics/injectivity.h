@@ -10,7 +10,8 @@
 namespace cirque {
 
 /// The flipped triangles: the faces whose uv triangle is not positively oriented, those without
-/// area too, by exact arithmetic on the coordinates as they are. Increasing.
+/// area and those whose coordinates overflowed too, by exact arithmetic on the coordinates as they
+/// are. Increasing.
 std::vector<Index> FlippedFaces(const Triangulation& triangulation, const CornerUv& uv);
 
 /// The same once the coordinates are rounded to 32-bit floats, as many programs read them.

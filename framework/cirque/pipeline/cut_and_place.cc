@@ -32,6 +32,11 @@ StatusOr<PlanarLayout> LayOutBy(LayoutMethod method, const Triangulation& t, con
   return LayOutByLeastSquares(t, flat.angles, flat.lengths, cut);
 }
 
+bool IsFinite(const CornerUv& uv) {
+  return std::all_of(uv.value.begin(), uv.value.end(),
+                     [](const Eigen::Vector2d& x) { return x.allFinite(); });
+}
+
 Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped) {
   const Eigen::VectorXd& rho = radii.value;
   const double range = rho.size() > 0 ? rho.maxCoeff() - rho.minCoeff() : 0;
@@ -89,6 +94,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   LayoutSummary& summary = Fill(&certificate.layout);
   ScalePieces(job.surface, &layout.uv);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
+  if (!IsFinite(layout.uv)) return Unrepresentable(result->flat.log_radii, flipped);
   std::optional<CornerUv> convex;
   if (!flipped.empty() && MayBeginConvexly(job, result->targets, *cut)) {
     convex = EmbedInDisk(job.surface);
