@@ -115,8 +115,20 @@ TEST(SeamlessCones, RefuseWhatTheyCannotBe) {
               HasSubstr("never begin"));
   EXPECT_THAT(MakeConeHeuristic("seamless", {{"start", "gredy"}}).status().message(),
               HasSubstr("greedy"));
-  EXPECT_THAT(MakeConeHeuristic("seamless", {{"angles", "free"}}).status().message(),
-              HasSubstr("pi/2 or pi/3"));
+  EXPECT_THAT(MakeConeHeuristic("seamless", {{"angles", "ranges"}}).status().message(),
+              HasSubstr("pi/2, pi/3 or free"));
+}
+
+TEST(SeamlessCones, OfFreeAnglesAreTheStartsOwn) {
+  const Sought sought("double_torus");
+  const std::vector<Cone> free = sought.By("seamless", {{"angles", "free"}});
+  const std::vector<Cone> moving = sought.By("moving", {{"cones", "12"}});
+  ASSERT_EQ(free.size(), moving.size());
+  ASSERT_GT(free.size(), 4u);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    EXPECT_EQ(free[i].vertex, moving[i].vertex);
+    EXPECT_EQ(free[i].lower, moving[i].lower);
+  }
 }
 
 TEST(SeamlessCones, BudgetGrowsWithTheHandles) {

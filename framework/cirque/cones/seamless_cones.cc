@@ -29,7 +29,9 @@ const OptionTable<SeamlessOptions>& SeamlessOptionTable() {
                  "beyond the first, at least 8")
            .Between(-1, 1e6),
        {"start", &O::start, "the heuristic that comes first"},
-       {"angles", &O::angles, "pi/2 or pi/3: of cones and rotations multiples"}});
+       {"angles", &O::angles,
+        "pi/2 or pi/3: of cones and rotations multiples; free: the start's angles and places, with "
+        "as many cones"}});
   return kTable;
 }
 
@@ -48,8 +50,8 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> SeamlessCones::Make(const OptionM
   if (options.start == "seamless") {
     return Status::InvalidInput("seamless: start = 'seamless' would never begin; name another");
   }
-  if (options.angles != ConeAngleRule::kHalves && options.angles != ConeAngleRule::kThirds) {
-    return Status::InvalidInput("seamless: angles are pi/2 or pi/3");
+  if (options.angles == ConeAngleRule::kRanges) {
+    return Status::InvalidInput("seamless: angles are pi/2, pi/3 or free");
   }
   if (const auto start = make_start(options.start, {}); !start.ok()) {
     return start.status().In("seamless");
@@ -66,7 +68,7 @@ StatusOr<std::vector<Cone>> SeamlessCones::Choose(const ConeProblem& problem) co
   const auto start = make_start_(options_.start, start_options);
   if (!start.ok()) return start.status().In("seamless");
   StatusOr<std::vector<Cone>> cones = (*start)->Choose(problem);
-  if (!cones.ok()) return cones;
+  if (!cones.ok() || options_.angles == ConeAngleRule::kFree) return cones;
   cones = ApplyConeAngles(problem, *std::move(cones), {options_.angles});
   if (!cones.ok() || cones->empty()) return cones;
   const RotationModel model(problem, CornersOfHandles(problem.triangulation()));

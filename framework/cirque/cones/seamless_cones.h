@@ -13,7 +13,7 @@ namespace cirque {
 struct SeamlessOptions {
   int cones = -1;                                 ///< that the start chooses; -1: SeamlessBudget
   std::string start = "moving";                   ///< the heuristic that chooses the cones first
-  ConeAngleRule angles = ConeAngleRule::kHalves;  ///< or kThirds
+  ConeAngleRule angles = ConeAngleRule::kHalves;  ///< kThirds or kFree
 };
 
 const OptionTable<SeamlessOptions>& SeamlessOptionTable();
@@ -24,15 +24,16 @@ int SeamlessBudget(const ConeProblem& problem, ConeAngleRule angles);
 
 /// The cones of another heuristic with angles in multiples of pi/2 or pi/3, moved until the linear
 /// model predicts rotations along all handles that are such multiples, too (SeamlessSearch). A
-/// surface without handles has none: its cones descend only.
+/// surface without handles has none: its cones descend only. With angles free the other heuristic's
+/// cones as they are, as many: what to measure the price of the rotations against.
 class SeamlessCones final : public ConeHeuristic {
  public:
   /// Makes the heuristic of a name with options, as MakeConeHeuristic does.
   using StartMaker = std::function<StatusOr<std::shared_ptr<const ConeHeuristic>>(
       const std::string& name, const OptionMap& options)>;
 
-  /// Error (invalid input): a start that is itself seamless, or no such heuristic; angles that are
-  /// no multiples.
+  /// Error (invalid input): a start that is itself seamless, or no such heuristic; angles in
+  /// ranges.
   static StatusOr<std::shared_ptr<const ConeHeuristic>> Make(const OptionMap& options,
                                                              const StartMaker& make_start);
 
