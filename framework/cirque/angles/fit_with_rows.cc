@@ -15,6 +15,8 @@ namespace cirque {
 namespace {
 
 constexpr int kMostIterations = 40, kMostHalvings = 30;
+constexpr int kMostIdle =
+    10;  ///< where there are no such angles multipliers grow, errors do not fall
 constexpr double kTolerance = 1e-13;  ///< [rad] of every sum
 constexpr double kRounding = 1e-11;   ///< [rad]: errors below that a whole step lowers, or nothing
 constexpr double kNear = 1e-5;        ///< [rad]: errors below which they are what is lowered
@@ -59,8 +61,13 @@ class RowFit {
     at_.z = std::move(z);
     if (!ProjectRows()) return false;
     Evaluate(&at_);
+    double least = at_.LargestError();
+    int idle = 0;  // steps since the error was halved
     for (; iterations_ < kMostIterations && at_.LargestError() > kTolerance; ++iterations_) {
       if (control.cancelled && *control.cancelled) break;
+      idle = at_.LargestError() < 0.5 * least || iterations_ == 0 ? 0 : idle + 1;
+      least = std::min(least, at_.LargestError());
+      if (idle == kMostIdle) break;
       if (!system_.Factorize(at_.conjugate, damping_) || !Step()) break;
     }
     return at_.LargestError() <= kAccepted;

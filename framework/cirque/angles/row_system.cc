@@ -10,7 +10,7 @@ namespace cirque {
 namespace {
 
 constexpr int kColumns = 32;         ///< of S, that one task forms
-constexpr int kSolvesPerStep = 4;    ///< m over it: how many gradient steps cost less than a new S
+constexpr int kSolvesPerStep = 8;    ///< m over it: how many gradient steps cost less than a new S
 constexpr double kTolerance = 1e-8;  ///< of S dz, relative: Newton's steps correct the rest
 constexpr double kLeastDiagonal = 1e-18;  ///< on S's, lest rows that say the same divide by 0
 

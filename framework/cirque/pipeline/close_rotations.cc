@@ -13,7 +13,7 @@
 namespace cirque {
 namespace {
 
-constexpr int kMostSteps = 24, kMostHalvings = 4;
+constexpr int kMostSteps = 24, kMostHalvings = 3;
 constexpr double kNear = 1e-2;          ///< [rad]: misses that the angles nearest to the last close
 constexpr double kGoal = 1e-11;         ///< [rad]: rounding allows hardly less
 constexpr double kLeastProgress = 0.9;  ///< of a miss, by a step worth taking
