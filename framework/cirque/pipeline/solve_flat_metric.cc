@@ -22,9 +22,14 @@ namespace {
 constexpr char kRetry[] = "interior_point", kRetryObjective[] = "quadratic";
 /// Share of the iterations after which a fit wanders: those that come to an end take under twenty.
 constexpr double kPatience = 0.3;
-/// Most fits that come to an end take fewer steps. Of the interior point a step costs less than one
-/// of the dual up to so many faces, and many times as much at 50,000.
-constexpr int kStepsOfMost = 8, kFewFaces = 20000;
+/// Of the interior point a step costs less than one of the dual up to so many faces, and many times
+/// as much at 50,000.
+constexpr int kFewFaces = 20000;
+/// A fit that has come no further after so many steps, most of them short, wanders as well: its line
+/// search cuts steps that the dual's exponentials make too long, and of those that come to an end
+/// (295 on 204 meshes) two had as many.
+constexpr int kStepsToTell = 10, kShortStepsToTell = 8;
+constexpr double kShortStep = 0.5;
 /// One whose vertex sums have all this time missed by more than kFar wanders too: those that come
 /// to an end are within a tenth of it by then.
 constexpr int kStepsToComeNear = 15;
@@ -41,6 +46,24 @@ std::vector<double> GradientsOf(const SolveSummary& solve) {
   for (const IterationRecord& step : solve.iterations) gradients.push_back(step.gradient_max);
   return gradients;
 }
+
+/// Tells a fit that wanders by its steps.
+class WanderingWatch {
+ public:
+  explicit WanderingWatch(bool soon) : soon_(soon) {}
+
+  bool Wanders(const IterationRecord& step) {
+    nearest_ = step.iteration == 1 ? step.gradient_max : std::min(nearest_, step.gradient_max);
+    if (step.iteration <= kStepsToTell && step.step_length < kShortStep) ++short_steps_;
+    const bool far = step.iteration >= kStepsToComeNear && nearest_ > kFar;
+    return far || (soon_ && step.iteration == kStepsToTell && short_steps_ >= kShortStepsToTell);
+  }
+
+ private:
+  const bool soon_;  ///< where another way costs little
+  double nearest_ = 0;
+  int short_steps_ = 0;
+};
 
 /// One triangulation on its way to a flat metric.
 class FlatMetricSolve {
@@ -103,12 +126,12 @@ class FlatMetricSolve {
     return std::max(1, static_cast<int>(kPatience * options_.max_iterations));
   }
 
-  OptionMap AngleSolverOptions(int most_steps) const {
+  OptionMap AngleSolverOptions() const {
     if (options_.angle_solver != ParameterizeOptions().angle_solver) return SolverOptions();
     const double share = std::min(1., kManyFaces / t().num_faces());
     const double tolerance =
         std::max(kLeastTolerance, SolverLimits().gradient_tolerance * share * share);
-    return {{"max_iterations", std::to_string(most_steps)},
+    return {{"max_iterations", std::to_string(MostSteps())},
             {"gradient_tolerance", fmt::format("{}", tolerance)}};
   }
 
@@ -156,38 +179,37 @@ class FlatMetricSolve {
   }
 
   /// By the solver that was asked for and, where that decides nothing on the input's own triangles,
-  /// by the interior point: soon where it is likely to come to that and costs little.
+  /// by the interior point: at once where the dual has wandered before and that costs little.
   Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
              AngleFitResult* fit) {
-    const bool soon = start_ == FitStart::kAfterWandering && t().num_faces() <= kFewFaces &&
-                      !objective->MeasuresTheta();
-    Status status = FitAsAsked(problem, objective,
-                               soon ? std::min(kStepsOfMost, MostSteps()) : MostSteps(), fit);
-    if (status.code() != StatusCode::kNotConverged || !result_.intrinsic.flips.empty()) {
-      return status;
-    }
-    if (Decides(problem, objective, fit, &status) || !soon) return status;
-    return FitAsAsked(problem, objective, MostSteps(), fit);
+    Status status;
+    const bool at_once = start_ == FitStart::kAfterWandering && InteriorPointIsCheap() &&
+                         !objective->MeasuresTheta();
+    if (at_once && Decides(problem, objective, fit, &status)) return status;
+    status = FitAsAsked(problem, objective, fit);
+    const bool undecided = status.code() == StatusCode::kNotConverged && !at_once;
+    if (undecided && result_.intrinsic.flips.empty()) Decides(problem, objective, fit, &status);
+    return status;
   }
 
+  bool InteriorPointIsCheap() const { return t().num_faces() <= kFewFaces; }
+
   Status FitAsAsked(const AngleFitProblem& problem,
-                    const std::shared_ptr<const AngleObjective>& objective, int most_steps,
-                    AngleFitResult* fit) {
-    const auto method = MakeAngleSolver(options_.angle_solver, AngleSolverOptions(most_steps));
+                    const std::shared_ptr<const AngleObjective>& objective, AngleFitResult* fit) {
+    const auto method = MakeAngleSolver(options_.angle_solver, AngleSolverOptions());
     if (!method.ok()) return method.status();
     return cirque::FitAngles(problem, objective, **method, WithPatience(), fit);
   }
 
-  /// The job's control, which also stops a fit by the default solver that wanders far away.
+  /// The job's control, which also stops a fit by the default solver that wanders.
   SolveControl WithPatience() const {
     SolveControl control = job_.control;
     if (options_.angle_solver != ParameterizeOptions().angle_solver) return control;
-    control.callback = [asked = job_.control.callback, nearest = 0.0](
+    control.callback = [asked = job_.control.callback,
+                        watch = WanderingWatch(InteriorPointIsCheap())](
                            const IterationRecord& step, const Eigen::VectorXd& y) mutable {
       if (asked && asked(step, y) == CallbackAction::kStop) return CallbackAction::kStop;
-      nearest = step.iteration == 1 ? step.gradient_max : std::min(nearest, step.gradient_max);
-      const bool far = step.iteration >= kStepsToComeNear && nearest > kFar;
-      return far ? CallbackAction::kStop : CallbackAction::kContinue;
+      return watch.Wanders(step) ? CallbackAction::kStop : CallbackAction::kContinue;
     };
     return control;
   }

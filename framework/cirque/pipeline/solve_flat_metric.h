@@ -11,7 +11,8 @@ enum class FitStart {
   kZero,            ///< multipliers of 0
   kMultipliers,     ///< those of the result, which are nearly the solution's
   kAfterWandering,  ///< multipliers of 0, where the dual has decided nothing on another
-                    ///< triangulation for these targets: on a small surface it is given few steps
+                    ///< triangulation for these targets: a small surface's are fitted by the
+                    ///< interior point, where it takes the objective
 };
 
 /// Coherent angles, then log radii, for a job's targets on one triangulation, result's `intrinsic`:
