@@ -76,20 +76,25 @@ void ConeFit::ForgetValuesFrom(int i) {
   values_factored_ = std::min(values_factored_, row);
 }
 
-/// Rows of a few cones at once, by stretches of vertices that stay in the processor's cache.
+/// Rows of a few cones at once, by stretches of vertices that stay in the processor's cache. Products
+/// with cones of later rows are left to these.
 void ConeFit::MakeProducts() {
   const Eigen::Index num_vertices = without_cones_.size();
+  std::vector<bool> is_later(size(), false);
+  for (const int i : without_products_) is_later[i] = true;
   for (std::size_t first = 0; first < without_products_.size(); first += kTogether) {
     const std::size_t end = std::min(without_products_.size(), first + kTogether);
     const auto count = static_cast<Eigen::Index>(end - first);
     Eigen::MatrixXd weighted(num_vertices, count), rows = Eigen::MatrixXd::Zero(count, size());
     for (Eigen::Index p = 0; p < count; ++p) {
       weighted.col(p) = measure_->Apply(response_[without_products_[first + p]]);
+      is_later[without_products_[first + p]] = false;
       linear_[without_products_[first + p]] = weighted.col(p).dot(without_cones_);
     }
     for (Eigen::Index at = 0; at < num_vertices; at += kStretch) {
       const Eigen::Index length = std::min(kStretch, num_vertices - at);
       for (int j = 0; j < size(); ++j) {
+        if (is_later[j]) continue;
         rows.col(j).noalias() +=
             weighted.middleRows(at, length).transpose() * response_[j].segment(at, length);
       }

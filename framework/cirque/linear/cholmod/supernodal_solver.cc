@@ -19,7 +19,10 @@ void SupernodalSolver::Forward(const SupernodeNumbers& numbers, int s, double* f
                                Eigen::VectorXd* work) {
   const int rows = tree_.NumRows(s), columns = tree_.NumColumns(s);
   double *x = x_.data(), *w = work->data();
-  std::copy_n(x + tree_.FirstColumn(s), columns, w);
+  const double* own = x + tree_.FirstColumn(s);
+  // Of a right side of few entries most supernodes have nothing to pass on.
+  if (std::all_of(own, own + columns, [](double value) { return value == 0; })) return;
+  std::copy_n(own, columns, w);
   std::fill_n(w + columns, rows - columns + SupernodeNumbers::kPadding, 0.0);
   numbers.Solve(s, w);
   std::copy_n(w, columns, x + tree_.FirstColumn(s));
