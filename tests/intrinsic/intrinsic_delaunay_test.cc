@@ -204,6 +204,35 @@ TEST(IntrinsicDelaunay, GuardsTheLeastNumberOfCorners) {
   }
 }
 
+/// Two spikes side by side on a hexagon: vertices 0 and 1.
+IntrinsicMesh TwinSpikes() {
+  PolygonSoup soup;
+  soup.position = {{5, -0.1, 2}, {5, 0.1, 2}};
+  for (int i = 0; i < 6; ++i) {
+    soup.position.emplace_back(std::cos(i * kPi / 3), std::sin(i * kPi / 3), 0);
+  }
+  soup.corner = {0, 2, 1, 1, 2, 3, 1, 3, 4, 1, 4, 5, 1, 5, 0, 0, 5, 6, 0, 6, 7, 0, 7, 2};
+  for (Index end = 3; end <= 24; end += 3) soup.first_corner.push_back(end);
+  return Intrinsic(SurfaceOf(soup));
+}
+
+TEST(IntrinsicDelaunay, FlatNeighboursOfThreeCornersWouldLeaveNothingToTheEndsOfTheirDigon) {
+  const IntrinsicMesh mesh = TwinSpikes();
+  const auto is_pair = [](const Triangulation& t) {
+    const std::vector<Index> corners = CornersPerVertex(t);
+    const EdgeSet edges = EdgesOf(t);
+    return corners[0] == 3 && corners[1] == 3 && edges.count({0, 1}) > 0;
+  };
+  EXPECT_FALSE(is_pair(Delaunay(mesh).triangulation));
+
+  // Cones that still need three corners but less than 2 pi leave an angle to each end.
+  ConeTargets targets = FreeBoundaryTargets(mesh.triangulation);
+  for (const Index v : {0, 1}) targets.lower[v] = targets.upper[v] = 1.992 * kPi;
+  IntrinsicDelaunayOptions options;
+  options.targets = &targets;
+  EXPECT_TRUE(is_pair(Delaunay(mesh, options).triangulation));
+}
+
 TEST(IntrinsicDelaunay, FreeVerticesStayFreeWhenTheirCornersChange) {
   const IntrinsicMesh mesh =
       testing::Scramble(Intrinsic(GeneratedSurface("bumpy_terrain", 800)), 500, 8);

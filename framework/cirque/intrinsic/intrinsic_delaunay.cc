@@ -80,6 +80,16 @@ std::vector<Index> LeastCorners(const Triangulation& t, const EdgeLengths& lengt
   return least;
 }
 
+/// The least angle sum of every inner vertex; 0 on the boundary.
+std::vector<double> NeededInside(const Triangulation& t, const ConeTargets& targets) {
+  std::vector<double> needed(targets.lower.begin(), targets.lower.end());
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (boundary[v]) needed[v] = 0;
+  }
+  return needed;
+}
+
 bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 
 /// An edge that waits to be flipped, and what says when: the worst violation first, then the
@@ -100,6 +110,7 @@ class DelaunayFlipper {
         locked_(locked),
         corners_(CornersPerVertex(t)),
         least_corners_(LeastCorners(t, lengths, targets)),
+        needed_(NeededInside(t, targets)),
         chords_(t, targets),
         flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
 
@@ -180,14 +191,25 @@ class DelaunayFlipper {
     if (!chords_.Allows(complex_.vertex(h), complex_.vertex(g))) return false;
     add(-1, 1);
     const bool enough =
-        corners_[tail] >= least_corners_[tail] && corners_[tip] >= least_corners_[tip];
+        corners_[tail] >= least_corners_[tail] && corners_[tip] >= least_corners_[tip] &&
+        HasRoomInPair(tail, Triangulation::Prev(h)) && HasRoomInPair(tip, Triangulation::Next(h));
     if (!enough) add(1, -1);
     return enough;
+  }
+
+  /// Two inner neighbours of three corners each fill four faces between two edges with the same ends,
+  /// and must leave an angle to these. `side` joins the vertex, which keeps three corners, to one of
+  /// the flipped edge's apexes: only beyond it can the other one lie, as apexes gain a corner.
+  bool HasRoomInPair(Index v, Index side) const {
+    if (corners_[v] != 3 || needed_[v] == 0) return true;
+    const Index other = complex_.vertex(complex_.twin(side));
+    return corners_[other] != 3 || needed_[v] + needed_[other] < 4 * kPi - kSpareTurn;
   }
 
   FlipComplex complex_;  // labels: the input's edges, kNone for later ones
   const std::vector<bool>& locked_;
   std::vector<Index> corners_, least_corners_;
+  const std::vector<double> needed_;
   const ChordGuard chords_;
   std::priority_queue<Violation> awaiting_;
   std::vector<Index> guarded_;

@@ -47,13 +47,14 @@ struct IntrinsicTriangulation {
 
 /// What flips may not do.
 struct IntrinsicDelaunayOptions {
-  /// No flip leaves a vertex with fewer corners than its target needs (Theta_v < corners * pi) or
-  /// makes a chord beyond which the targets leave no room (ChordGuard). Where a jagged boundary
-  /// (0.25 rad off on average) is to be straight its vertices keep one corner more: where several
-  /// in a row have two, their triangles meet at one apex, every angle on the boundary fixes the
-  /// next, and the angle fit takes hundreds of steps. Null: interior vertices flat, boundary
-  /// vertices free (FreeBoundaryTargets). The solve on the result then takes them through
-  /// TransferTargets.
+  /// No flip leaves a vertex with fewer corners than its target needs (Theta_v < corners * pi), makes
+  /// neighbours of two inner vertices of three corners each whose targets leave nothing of their
+  /// four faces' angles to the two vertices round them (both flat: 4 pi of 4 pi), or makes a chord
+  /// beyond which the targets leave no room (ChordGuard). Where a jagged boundary (0.25 rad off on
+  /// average) is to be straight its vertices keep one corner more: where several in a row have two,
+  /// their triangles meet at one apex, every angle on the boundary fixes the next, and the angle fit
+  /// takes hundreds of steps. Null: interior vertices flat, boundary vertices free
+  /// (FreeBoundaryTargets). The solve on the result then takes them through TransferTargets.
   const ConeTargets* targets = nullptr;
   /// Per edge of the input whether it must stay; empty: none must.
   std::vector<bool> locked;
