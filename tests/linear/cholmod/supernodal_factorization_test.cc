@@ -34,10 +34,12 @@ class SupernodalFactorizationTest : public ::testing::Test {
  protected:
   SupernodalFactorizationTest() { ours_.AllocateNumbers(); }
 
-  Eigen::VectorXd Solve() {
+  Eigen::VectorXd Solve() { return Solve(b_); }
+
+  Eigen::VectorXd Solve(const Eigen::VectorXd& b) {
     Eigen::VectorXd x;
     SupernodalSolver(factorization_.tree(), static_cast<const int*>(ours_.factor().Perm))
-        .Solve(factorization_, b_, &x);
+        .Solve(factorization_, b, &x);
     return x;
   }
 
@@ -55,6 +57,17 @@ TEST_F(SupernodalFactorizationTest, GivesTheNumbersOfCholmod) {
   EXPECT_GT(factorization_.tree().top_supernodes().size(), 5U);
   EXPECT_GT(wanted.norm(), 100);
   EXPECT_LT((ours - wanted).lpNorm<Eigen::Infinity>(), 1e-13 * wanted.lpNorm<Eigen::Infinity>());
+}
+
+TEST_F(SupernodalFactorizationTest, SolvesForASingleEntry) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  for (const int i : {0, kSide * kSide / 2, kSide * kSide - 1}) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(kSide * kSide, i);
+    const Eigen::VectorXd x = Solve(unit);
+    EXPECT_GT(x.minCoeff(), 0);  // a Laplacian's inverse: every entry is reached
+    const Eigen::VectorXd rest = lower_.selfadjointView<Eigen::Lower>() * x - unit;
+    EXPECT_LT(rest.lpNorm<Eigen::Infinity>(), 1e-13);
+  }
 }
 
 TEST_F(SupernodalFactorizationTest, DoesNotDependOnTheNumberOfThreads) {
