@@ -44,6 +44,10 @@ const std::vector<Study>& Studies() {
        "Bakes a smooth function for one map of each mesh, moves the texture to another map and\n"
        "holds it against the function baked there: results/moved_texture.md.",
        "experiments/studies/moved_texture.cc", RunMovedTexture},
+      {"slim", "[FLAGS] MESH ...",
+       "Maps disks with the least symmetric Dirichlet energy and again by SLIM, written for this\n"
+       "comparison: results/slim.md.",
+       "experiments/studies/slim.cc", RunSlim},
       {"reference_factorization", "[FLAGS] MESH ...",
        "Times one analysis and factorization of each mesh's V x V cotangent Laplacian, beside\n"
        "which the times of other programs and machines can be read. --output writes the mesh,\n"

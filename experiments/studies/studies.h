@@ -52,6 +52,9 @@ Status RunAnyCones(const StudyCall& call);
 /// Moves textures from one map of a mesh to another.
 Status RunMovedTexture(const StudyCall& call);
 
+/// Holds maps of least symmetric Dirichlet energy against those of another method.
+Status RunSlim(const StudyCall& call);
+
 /// Times the factorization that every linear conformal map needs.
 Status RunReferenceFactorization(const StudyCall& call);
 

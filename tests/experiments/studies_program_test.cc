@@ -23,7 +23,7 @@ TEST(StudiesProgram, HelpNamesEveryStudyAndEachExplainsItself) {
   const ProgramResult all = RunProgram("studies --help");
   EXPECT_EQ(all.exit_status, 0);
   for (const char* name : {"strategies", "lorentz", "disk_accuracy", "random_surfaces", "any_cones",
-                           "moved_texture", "reference_factorization", "lower_bound"}) {
+                           "moved_texture", "slim", "reference_factorization", "lower_bound"}) {
     EXPECT_THAT(all.output, HasSubstr(name));
     const ProgramResult one = RunProgram(std::string("studies ") + name + " --help");
     EXPECT_EQ(one.exit_status, 0) << name;
@@ -46,6 +46,8 @@ TEST(StudiesProgram, RefusesWhatItDoesNotKnowWithWhatWasMeant) {
            {"any_cones --surfaces=0", "at least 1"},
            {"moved_texture", "no mesh is given"},
            {"moved_texture --least_texels=1 a.obj", "from 2 to"},
+           {"slim", "no mesh is given"},
+           {"slim --most_steps=0 a.obj", "at least 1"},
            {"strategies", "no mesh given"},
            {"strategies none.obj", "none.obj"},
            {"reference_factorization", "no mesh given"},
