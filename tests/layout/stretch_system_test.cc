@@ -102,7 +102,10 @@ TEST(EveryStretchEnergy, GradientIsThatOfTheValue) {
   OpenedMap map = FromAbove(GeneratedSurface("bumpy_terrain", 200));
   MapPart drawn = SomeOf(&map);
   drawn.pulls = {{0, Complex(3, 1), 2.0}, {5, Complex(-1, 0), 0.5}};
-  for (const MapPart& part : {map.Whole(), SomeOf(&map), drawn}) {
+  MapPart fenced = SomeOf(&map);
+  fenced.fence = Fence{{{0, 1, 5}, {9, 4, 5}, {13, 20, 5}}, 1e-3};
+  ASSERT_GT(fenced.fence->Contacts(Of(fenced, map.z())).size(), 2u);
+  for (const MapPart& part : {map.Whole(), SomeOf(&map), drawn, fenced}) {
     const Eigen::VectorXcd z = Of(part, map.z());
     Eigen::VectorXcd direction = Eigen::VectorXcd::Random(z.size());
     direction.tail(z.size() - part.unknowns).setZero();
@@ -174,6 +177,32 @@ TEST(StretchSystem, SeamsAddTheirPenaltyAlsoWhereBothSidesEndInOneVertex) {
   const Eigen::MatrixXd penalty = system.penalty()[0] * row.transpose() * row;
   EXPECT_GT(system.penalty()[0], 1e6 * Symmetric(plain.lower()).cwiseAbs().minCoeff());
   const Eigen::MatrixXd wanted = Symmetric(plain.lower()) + penalty;
+  EXPECT_LT((Symmetric(system.lower()) - wanted).norm(), 1e-12 * wanted.norm());
+}
+
+TEST(StretchSystem, FollowsTheContactsOfItsFence) {
+  OpenedMap map = FromAbove(GeneratedSurface("bumpy_terrain", 60));
+  MapPart part = map.Whole();
+  const StretchEnergy energy = *StretchEnergies().Find("symmetric_dirichlet");
+  const Eigen::VectorXcd z = Of(part, map.z());
+  StretchSystem plain(part, energy, 1);
+  plain.Linearize(z, 0);
+  const Eigen::MatrixXd without = Symmetric(plain.lower());
+  part.fence = Fence{{{0, 1, 100}, {part.unknowns - 1, part.unknowns - 2, 100}}, 0.5};
+  StretchSystem system(part, energy, 1);
+  system.Linearize(z, 0);
+  // Gauss and Newton: of residuals r = reach / distance - 1, twice the weight of all r' r'^T.
+  Eigen::MatrixXd wanted = without;
+  for (const Contact& contact : part.fence->Contacts(z)) {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(2 * part.unknowns);
+    const auto add = [&](Index v, double share) {
+      row[2 * v] += share * contact.away.real(), row[2 * v + 1] += share * contact.away.imag();
+    };
+    add(contact.vertex, 1), add(contact.tail, contact.along - 1), add(contact.tip, -contact.along);
+    row *= contact.reach / (contact.distance * contact.distance);
+    wanted += 2 * 0.5 * row * row.transpose();
+  }
+  EXPECT_GT((wanted - without).norm(), 1e-3 * without.norm());
   EXPECT_LT((Symmetric(system.lower()) - wanted).norm(), 1e-12 * wanted.norm());
 }
 

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "cirque/core/types.h"
+#include "cirque/layout/fence.h"
 #include "cirque/layout/map_objective.h"
 #include "cirque/layout/sliding.h"
 #include "cirque/linear/hermitian_cholesky.h"
@@ -57,6 +59,7 @@ struct MapPart {
   std::vector<Rail> rails;   ///< of the moving vertices that slide, in their order; none with seams
   std::vector<RimEdge> rim;  ///< at those
   std::vector<Pull> pulls = {};
+  std::optional<Fence> fence = {};  ///< steps may not cross; its barrier is of stretch energies
 };
 
 /// The objective's sum over the faces of a part, and the Hermitian matrices of its Gauss-Newton

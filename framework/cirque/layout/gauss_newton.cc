@@ -110,7 +110,8 @@ class Stepper {
   }
 
   bool IsAdmissible(const Eigen::VectorXcd& z) const {
-    return KeepsOrientation(z) && SeamError(z) <= seam_tolerance_;
+    return KeepsOrientation(z) && SeamError(z) <= seam_tolerance_ &&
+           !(part_.fence && part_.fence->IsCrossed(z));
   }
 
   /// Doubles a whole step as long as that lowers the value more.

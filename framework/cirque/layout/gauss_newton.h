@@ -23,8 +23,9 @@ struct StepLimits {
 /// A step solves one Hermitian system (BeltramiSystem), where vertices slide its restriction to their
 /// tangents (SlidingCholesky), after which they are put back on their rails; the seams hold by
 /// augmented Lagrangians with the same factor. The line search admits no boundary edge that turns
-/// back, no face with |mu| >= 1, by exact arithmetic none that is
-/// flipped, and no seam edge whose sides differ by more than 4e-9 of it (or by more than they did).
+/// back, no face with |mu| >= 1, by exact arithmetic none that is flipped and, where the part has a
+/// fence, no image that overlaps itself, and no seam edge whose sides differ by more than 4e-9 of it
+/// (or by more than they did).
 /// Ends early when cancelled.
 int LowerObjective(const MapPart& part, const MapObjective& objective, const StepLimits& limits,
                    const std::atomic<bool>* cancelled, Eigen::VectorXcd* z);

@@ -59,6 +59,7 @@ OpenedMap::OpenedMap(const SeamedSurface& of, const CornerUv& uv, double least_a
     : open_(CutOpen(of.surface.triangulation, of.cut)),
       seams_(SeamConstraints(of.surface.triangulation, open_, of.seams)),
       z_(open_.num_vertices),
+      injective_(of.injective),
       number_(open_.num_vertices, kNone) {
   for (Index c = 0; c < open_.num_halfedges(); ++c) {
     z_[open_.vertex[c]] = {uv.value[c].x(), uv.value[c].y()};
@@ -184,12 +185,20 @@ MapPart OpenedMap::Whole() {
     return std::any_of(vertex.begin(), vertex.end(), [&](Index v) { return moves[v]; });
   };
   for (Index f = 0; f < open_.num_faces(); ++f) {
-    if (some(faces_[f].vertex)) faces.push_back(f);
+    if (injective_ || some(faces_[f].vertex)) faces.push_back(f);
   }
   for (std::size_t c = 0; c < seams_.size(); ++c) {
     if (some(seams_[c].vertex)) seams.push_back(static_cast<Index>(c));
   }
-  return PartOf(moves, faces, seams);
+  MapPart part = PartOf(moves, faces, seams);
+  if (injective_) {
+    for (std::size_t i = 0; i < part.vertex.size(); ++i) {
+      number_[part.vertex[i]] = static_cast<Index>(i);
+    }
+    part.fence = FenceOf(number_);
+    for (const Index v : part.vertex) number_[v] = kNone;
+  }
+  return part;
 }
 
 /// In the map's order, those that move first.
@@ -260,6 +269,16 @@ void OpenedMap::AddRails(const std::vector<Index>& faces, MapPart* part) const {
   }
 }
 
+/// The boundary with its vertices numbered so.
+Fence OpenedMap::FenceOf(const std::vector<Index>& number) const {
+  Fence fence;
+  for (Index h = 0; h < open_.num_halfedges(); ++h) {
+    if (open_.twin[h] != kNone) continue;
+    fence.sides.push_back({number[open_.Tail(h)], number[open_.Tip(h)]});
+  }
+  return fence;
+}
+
 double OpenedMap::ImageArea() const {
   double twice = 0;
   for (Index h = 0; h < open_.num_halfedges(); h += 3) {
@@ -279,10 +298,17 @@ bool OpenedMap::KeepsOrientation(double scale) const {
   });
 }
 
+bool OpenedMap::KeepsApart(double scale) const {
+  if (!injective_) return true;
+  std::vector<Index> number(open_.num_vertices);
+  std::iota(number.begin(), number.end(), 0);
+  return !FenceOf(number).IsCrossed(scale * z_);
+}
+
 double OpenedMap::ScaleBack() const {
   const double scale = std::sqrt(area_before_ / ImageArea());
   if (has_place_ || !std::isfinite(scale) || std::abs(scale - 1) < kSameScale) return 1;
-  if (!short_seams_ && KeepsOrientation(scale)) return scale;
+  if (!short_seams_ && KeepsOrientation(scale) && KeepsApart(scale)) return scale;
   return std::exp2(std::round(std::log2(scale)));
 }
 

@@ -22,6 +22,7 @@ struct SeamedSurface {
   std::vector<bool> held = {};   ///< for every vertex of the surface, whether it stays; empty: none
   SlidingVertices sliding = {};  ///< of those that are not held; where there are seams they stay
   bool has_place = false;        ///< the image is not scaled, even if all of it may move
+  bool injective = false;        ///< the image is, and stays so: the whole map has a fence
 };
 
 /// One for every edge of the seams, between vertices of `open`, the surface cut open.
@@ -59,12 +60,14 @@ class OpenedMap {
   MapPart PartOf(const std::vector<bool>& moves, const std::vector<Index>& faces,
                  const std::vector<Index>& seams);
 
-  /// The part in which all move that are not held.
+  /// The part in which all move that are not held; of an image that is to stay injective with a fence,
+  /// whose barrier has no weight.
   MapPart Whole();
 
   /// The positions as UVs, scaled about the origin to the area that the image had, unless vertices
-  /// of the surface are held or slide, or the image has its place. Scaling rounds: where that would flip a face or part the sides of a short opened edge, it is by the nearest
-  /// power of two.
+  /// of the surface are held or slide, or the image has its place. Scaling rounds: where that would
+  /// flip a face, part the sides of a short opened edge or make an image overlap that is to be
+  /// injective, it is by the nearest power of two.
   void WriteTo(CornerUv* uv) const;
 
  private:
@@ -77,8 +80,10 @@ class OpenedMap {
   void AddSeams(const std::vector<Index>& faces, const std::vector<Index>& seams,
                 MapPart* part) const;
   void AddRails(const std::vector<Index>& faces, MapPart* part) const;
+  Fence FenceOf(const std::vector<Index>& number) const;
   double ImageArea() const;
   bool KeepsOrientation(double scale) const;
+  bool KeepsApart(double scale) const;
   double ScaleBack() const;
 
   Triangulation open_;
@@ -90,7 +95,7 @@ class OpenedMap {
   std::vector<Index> rail_of_;  ///< V of the opened surface: among rails_, or kNone
   Eigen::VectorXcd z_;
   double area_before_;
-  bool short_seams_ = false, has_place_ = false;
+  bool short_seams_ = false, has_place_ = false, injective_ = false;
   std::vector<Index> number_;  ///< of a vertex in the part that is being made
 };
 

@@ -39,7 +39,8 @@ struct MapRefinement {
 ///   sum A w J* J,   A the faces' areas, w the objective's weight, J = d mu / d z
 /// (LowerObjective). Vertices can be held, and those of a boundary can slide along it, which is no
 /// Hermitian condition: then the system is a real one.
-/// The image keeps its area (OpenedMap::WriteTo). Faces of no area take no part, but stay as they
+/// The image keeps its area (OpenedMap::WriteTo), and stays injective where it shall: a step by which
+/// it would not is shortened. Faces of no area take no part, but stay as they
 /// are oriented.
 ///
 /// Errors: cancelled.
@@ -52,6 +53,9 @@ struct RefineStretchOptions {
   int steps = 1000;        ///< the most; a map far from its minimum takes hundreds
   double decrease = 1e-4;  ///< ends when a step lowers the energy by less than this share
   double weight = 0.5;     ///< of area in energies that blend
+  /// Of an edge's length: how far the barrier about the boundary of an image that stays injective
+  /// reaches at last.
+  double least_reach = 0.01;
 };
 
 /// By name; `weight` only of energies that blend.
@@ -60,7 +64,9 @@ const OptionTable<RefineStretchOptions>& RefineStretchOptionTable(bool blends);
 /// The same for an energy of both singular values (StretchEnergies), from angles towards lengths and
 /// areas: the same seams, rotations and exact orientation, steps by StretchSystem. The surface's unit
 /// is the best for the map as it comes (BestUnit), from which the image may grow and shrink; before
-/// and after are the energies in the best unit of each. The image keeps its area.
+/// and after are the energies in the best unit of each. The image keeps its area. One that is to stay
+/// injective does by a barrier about its boundary (Fence), which reaches less and less far, and by the
+/// exact verdict on every step.
 StatusOr<MapRefinement> RefineStretch(const SeamedSurface& of, StretchEnergy energy,
                                       const RefineStretchOptions& options,
                                       const std::atomic<bool>* cancelled, CornerUv* uv);

@@ -49,9 +49,7 @@ StretchSystem::StretchSystem(const MapPart& part, const StretchEnergy& energy, d
       cholesky_(MakeCholesky()) {
   NumberUnknowns();
   LayOutPattern();
-  face_slots_.reserve(part.faces.size());
-  for (const BeltramiFace& face : part.faces) face_slots_.push_back(FindSlots<3>(face.vertex));
-  for (const SeamConstraint& seam : part.seams) seam_slots_.push_back(FindSlots<4>(seam.vertex));
+  FindAllSlots();
 }
 
 void StretchSystem::NumberUnknowns() {
@@ -92,8 +90,39 @@ void StretchSystem::LayOutPattern() {
       for (const Index w : seam.vertex) add(v, w);
     }
   }
+  for (const Contact& contact : contacts_) {
+    const std::array<Index, 3> vertex = {contact.vertex, contact.tail, contact.tip};
+    for (const Index v : vertex) {
+      for (const Index w : vertex) add(v, w);
+    }
+  }
   lower_.resize(size_, size_);
   lower_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void StretchSystem::FindAllSlots() {
+  face_slots_.clear(), seam_slots_.clear(), contact_slots_.clear();
+  face_slots_.reserve(part_.faces.size());
+  for (const BeltramiFace& face : part_.faces) face_slots_.push_back(FindSlots<3>(face.vertex));
+  for (const SeamConstraint& seam : part_.seams) seam_slots_.push_back(FindSlots<4>(seam.vertex));
+  for (const Contact& c : contacts_) {
+    contact_slots_.push_back(FindSlots<3>({c.vertex, c.tail, c.tip}));
+  }
+}
+
+/// The pattern is that of the faces and the contacts that there are.
+void StretchSystem::FindContacts(const Eigen::VectorXcd& z) {
+  if (!part_.fence || !(part_.fence->weight > 0)) return;
+  const auto same = [](const Contact& a, const Contact& b) {
+    return a.vertex == b.vertex && a.tail == b.tail;
+  };
+  std::vector<Contact> now = part_.fence->Contacts(z);
+  const bool as_before =
+      std::equal(now.begin(), now.end(), contacts_.begin(), contacts_.end(), same);
+  contacts_ = std::move(now);
+  if (as_before) return;
+  LayOutPattern();
+  FindAllSlots();
 }
 
 int StretchSystem::Slot(Index i, Index j) const {
@@ -149,10 +178,12 @@ void StretchSystem::AddRow(const Slots<kVertices>& slots, const Row<kVertices>& 
 double StretchSystem::Value(const Eigen::VectorXcd& z) const {
   double value = StretchOf(part_.faces, energy_, unit_, z);
   for (const Pull& pull : part_.pulls) value += pull.weight * std::norm(z[pull.vertex] - pull.to);
+  if (part_.fence && std::isfinite(value)) value += part_.fence->Value(z);
   return value;
 }
 
 void StretchSystem::Linearize(const Eigen::VectorXcd& z, double shift) {
+  FindContacts(z);
   gradient_.setZero();
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
   for (const Rail& rail : part_.rails) frame_[rail.vertex] = rail.Tangent(z[rail.vertex]);
@@ -163,6 +194,7 @@ void StretchSystem::Linearize(const Eigen::VectorXcd& z, double shift) {
     const auto beside = [&](Index face) { return face == kNone ? 0 : stiffness[face]; };
     AddPenalty(c, kSeamStiffness * std::max(beside(seam.left_face), beside(seam.right_face)));
   }
+  for (std::size_t c = 0; c < contacts_.size(); ++c) AddContact(c);
   for (const Pull& pull : part_.pulls) {
     gradient_[pull.vertex] += 2 * pull.weight * (z[pull.vertex] - pull.to);
     for (const Index i : UnknownsOf(pull.vertex)) {
@@ -224,6 +256,21 @@ void StretchSystem::AddPenalty(std::size_t c, double stiffness) {
     }
     AddRow<4>(seam_slots_[c], RowOf<4>(seam.vertex, w), stiffness);
   }
+}
+
+/// Of (reach / distance - 1)^2 by Gauss and Newton: what the distance's own curvature would take away
+/// is left out.
+void StretchSystem::AddContact(std::size_t c) {
+  const Contact& contact = contacts_[c];
+  const double ratio = contact.reach / contact.distance, slope = -ratio / contact.distance;
+  const Complex& away = contact.away;
+  const std::array<Index, 3> vertex = {contact.vertex, contact.tail, contact.tip};
+  const std::array<Complex, 3> w = {away, -(1 - contact.along) * away, -contact.along * away};
+  const double weight = 2 * part_.fence->weight;
+  for (int k = 0; k < 3; ++k) {
+    if (vertex[k] < part_.unknowns) gradient_[vertex[k]] += weight * (ratio - 1) * slope * w[k];
+  }
+  AddRow<3>(contact_slots_[c], RowOf<3>(vertex, w), weight * slope * slope);
 }
 
 bool StretchSystem::Factorize(const Eigen::VectorXcd& z, double shift) {

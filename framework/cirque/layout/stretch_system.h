@@ -27,6 +27,8 @@ namespace cirque {
 ///
 /// That sees more than holomorphic changes, so the matrix is real, with two unknowns for a vertex
 /// that moves and one for a vertex that slides along a rail.
+///
+/// A part's fence adds its barrier, whose contacts come and go with the steps.
 class StretchSystem final : public StepSystem {
  public:
   /// `part` must outlive the system.
@@ -69,9 +71,12 @@ class StretchSystem final : public StepSystem {
   std::array<Index, 2> UnknownsOf(Index vertex) const;
   void NumberUnknowns();
   void LayOutPattern();
+  void FindAllSlots();
   int Slot(Index i, Index j) const;
   double AddFace(std::size_t face, const Eigen::VectorXcd& z);
   void AddPenalty(std::size_t seam, double stiffness);
+  void FindContacts(const Eigen::VectorXcd& z);
+  void AddContact(std::size_t contact);
 
   const MapPart& part_;
   const StretchEnergy energy_;
@@ -83,6 +88,8 @@ class StretchSystem final : public StepSystem {
   SparseMatrix lower_;
   std::vector<Slots<3>> face_slots_;
   std::vector<Slots<4>> seam_slots_;
+  std::vector<Contact> contacts_;  ///< of the part's fence
+  std::vector<Slots<3>> contact_slots_;
   Eigen::VectorXcd gradient_;
   Eigen::VectorXd penalty_;
   std::unique_ptr<SparseCholesky> cholesky_;
