@@ -162,6 +162,10 @@ std::string InjectivityLine(const Certificate& c) {
         "injective   by its boundary, whose angle sums changed by up to {:.2f} rad\n",
         done.boundary_turned.value_or(0));
   }
+  if (done.made_by == "descent") {
+    return fmt::format("injective   by descent, {}, with free seams\n",
+                       Count(done.descent_steps.value_or(0), "step"));
+  }
   if (done.made_by.empty()) return "injective   not, by any stage: see the certificate\n";
   return fmt::format("injective   in {}, side by side\n", Count(done.charts, "chart"));
 }

@@ -66,10 +66,47 @@ TEST(MakeInjective, TurnsTheBoundaryOfADiskWithoutASeam) {
             plain.certificate.distortion->log_area_ratio_l2);
 }
 
-TEST(MakeInjective, CutsIntoChartsWhatHasNoBoundaryToTurn) {
+TEST(MakeInjective, DescendsWhereThereIsNoBoundaryToTurn) {
   const Surface torus = GeneratedSurface("double_torus", 1200);
   ParameterizeOptions options;
   options.cones = "greedy:cones=12";
+  const Parameterization plain = MapOf(torus, options);
+  ASSERT_TRUE(Overlaps(torus, plain));
+  options.injective = true;
+  const Parameterization map = MapOf(torus, options);
+  EXPECT_FALSE(Overlaps(torus, map));
+  EXPECT_EQ(map.certificate.overlap, "injective");
+  const InjectivitySummary& injectivity = *map.certificate.injectivity;
+  EXPECT_EQ(injectivity.made_by, "descent");
+  EXPECT_LT(*injectivity.descent_after, *injectivity.descent_before);
+  // One chart along the same cut, its seams free: they have no motions to tell of.
+  EXPECT_EQ(map.cut.edge, plain.cut.edge);
+  EXPECT_EQ(map.certificate.layout->patches, 1);
+  EXPECT_EQ(map.certificate.seams->seams, 0);
+  EXPECT_TRUE(map.certificate.message.empty()) << map.certificate.message;
+  EXPECT_LT(map.certificate.distortion->quasi_conformal_mean,
+            plain.certificate.distortion->quasi_conformal_mean + 0.05);
+}
+
+TEST(MakeInjective, KeepsARefinedImageInjective) {
+  const Surface stair = Stair(0.98);  // it just does not meet itself
+  ParameterizeOptions options;
+  ASSERT_FALSE(Overlaps(stair, MapOf(stair, options)));
+  for (const char* energy : {"symmetric_dirichlet", "arap", "area", "mips"}) {
+    SCOPED_TRACE(energy);
+    options.refine_map = energy;
+    options.injective = true;
+    const Parameterization map = MapOf(stair, options);
+    EXPECT_FALSE(Overlaps(stair, map));
+    EXPECT_EQ(map.certificate.layout->patches, 1);
+  }
+}
+
+TEST(MakeInjective, CutsIntoChartsWhereSeamsAreToMatch) {
+  const Surface torus = GeneratedSurface("double_torus", 1200);
+  ParameterizeOptions options;
+  options.cones = "greedy:cones=12";
+  options.seams = SeamKind::kRigid;
   const Parameterization plain = MapOf(torus, options);
   ASSERT_TRUE(Overlaps(torus, plain));
   options.injective = true;

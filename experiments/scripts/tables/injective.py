@@ -29,7 +29,9 @@ def made_by(run):
         return "as it comes"
     if run.record.get("overlap") != "injective":
         return "nothing"
-    return "curvature" if run.value("boundary_turned") is not None else "charts"
+    if run.value("boundary_turned") is not None:
+        return "curvature"
+    return "descent" if run.value("descent_steps") is not None else "charts"
 
 
 def cost(plain, injective, name):
@@ -39,7 +41,7 @@ def cost(plain, injective, name):
 
 def summary(found):
     rows = []
-    for way in ("as it comes", "curvature", "charts", "nothing"):
+    for way in ("as it comes", "curvature", "descent", "charts", "nothing"):
         of_way = [(plain, injective) for _, plain, injective in found if injective.ok and made_by(injective) == way]
         if not of_way:
             continue

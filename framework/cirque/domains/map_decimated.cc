@@ -104,6 +104,9 @@ class DecimatedSolve {
     if (!coarse.ok()) return coarse.status().In("the decimated surface");
     MapRequest request = request_;
     request.options.solve_at = 0;
+    // Sides of seams that match are what the way back carries; descent to an injective image parts them.
+    const bool may_part = request.options.injective && request.options.least_charts <= 1;
+    if (may_part) request.options.seams = SeamKind::kRigid;
     StatusOr<SurfaceMap> solved = MapSurface(*coarse, request, control_, &map_->certificate);
     if (!solved.ok()) {
       map_->certificate.infeasibility = {};

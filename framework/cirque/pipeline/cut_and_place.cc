@@ -105,9 +105,11 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   // That of conformal equivalence is not refined (exact_layout.cc); neither is the one beside it.
   const bool as_solved = may_be_flipped && result->flat.exact->equivalent;
   if (flipped.empty() || may_be_flipped) {
-    const LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
+    LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
     if (flipped.empty() && (convex || flat.flipped.empty()) && !as_solved) {
       job.control.BeginStage("refinement");
+      of.injective = job.options.injective && layout.patches.count == 1 &&
+                     !OverlapsItself(CutOpen(t, *cut), layout.uv);
       Status refined = RefineLayout(of, result->targets, job.options.refine_map, &layout,
                                     &certificate.map_refinement);
       if (!refined.ok()) return refined;

@@ -25,6 +25,7 @@ struct ParameterizeJob {
   const std::vector<bool>* inside = nullptr;  ///< E: edges no seam may run along; null: none
   const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
   const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
+  bool targets_given = false;                              ///< the angle sums are the caller's own
 };
 
 /// The given cut and what is needed beyond it to open all cones and leave disks, as many as the
@@ -37,7 +38,8 @@ StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
 /// side in the unit square. Fills in cut, uv and the certificate's layout, seams and
 /// map_refinement. Beside an exact map (result's flat.exact) triangles of the flat surface or of its
 /// layout may be flipped, which is not refined then. A disk whose conformal map
-/// doubles do not hold is refined from EmbedInDisk where its refinement leaves conformality. Errors:
+/// doubles do not hold is refined from EmbedInDisk where its refinement leaves conformality. One patch
+/// that is injective stays so in its refinement where the options ask for it. Errors:
 /// kUnrepresentable for a layout with a flipped triangle elsewhere; cancelled.
 Status CutAndPlace(const ParameterizeJob& job, Parameterization* result);
 

@@ -175,8 +175,9 @@ Status RefineLayout(const LaidOutSurface& of, const ConeTargets& targets,
   const Triangulation& t = of.surface.triangulation;
   const SeamReport report = MeasureSeams(t, of.cut, of.cones, of.flat.angles, layout->uv);
   KeptVertices kept = KeepPrescribedBoundary(t, targets, report, layout->uv);
-  const SeamedSurface seamed = {of.surface, of.cut, report.seams, std::move(kept.held),
-                                std::move(kept.sliding)};
+  SeamedSurface seamed = {of.surface, of.cut, report.seams, std::move(kept.held),
+                          std::move(kept.sliding)};
+  seamed.injective = of.injective;
   return RefineSeamedMap(seamed, refine_map, of.cancelled, &layout->uv, summary);
 }
 

@@ -35,6 +35,7 @@ struct LaidOutSurface {
   const Cut& cut;
   const std::vector<Index>& cones;
   const std::atomic<bool>* cancelled;
+  bool injective = false;  ///< the layout is, and its refinement shall stay so
 };
 
 /// Refines a layout without flipped faces as `refine_map` says, unless that is "none". Boundary

@@ -14,6 +14,8 @@
 #include "cirque/math/compensated_sum.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/cut_costs.h"
+#include "cirque/pipeline/descend.h"
+#include "cirque/pipeline/finish_layout.h"
 #include "cirque/pipeline/prescribe_boundary.h"
 
 namespace cirque {
@@ -28,6 +30,10 @@ constexpr double kSmallest = 1e-3;  ///< of the boundary's mean length, of a cor
 constexpr int kMostPackings = 4;    ///< whose rounding made charts overlap
 
 constexpr char kNoBoundary[] = "no such boundary";
+constexpr char kDistorted[] = "injective, but charts are less distorted by far";
+/// How much worse than the flat metric, which charts keep, an image by descent may be: so many times,
+/// and so much beside that in the mean of q and in the L2 norm of the log area ratio.
+constexpr double kMostTimes = 2, kMostAngles = 0.1, kMostAreas = 0.5;
 
 /// The boundary of an image's one patch, corner by corner.
 struct ImageBoundary {
@@ -105,6 +111,14 @@ ConeTargets TargetsFor(const Job& job, const Parameterization& map, const ImageB
   return targets;
 }
 
+/// Whether the two sides of a seam must match, or the rotations across it.
+bool KeepsSeams(const Job& job) {
+  const ParameterizeOptions& options = job.options;
+  return options.seams == SeamKind::kRigid || options.holonomy != HolonomyRule::kFree ||
+         options.integer_cells > 0 || job.rotations || job.targets_given ||
+         options.cone_angles != "free" || options.cones.starts_with("given");
+}
+
 bool Overlaps(const Job& job, const Parameterization& map) {
   return OverlapsItself(CutOpen(job.surface.triangulation, map.cut), map.uv);
 }
@@ -120,6 +134,11 @@ class Remedy {
     job_.control.BeginStage("injectivity");
     if (MayTurnBoundary()) {
       if (Status s = TurnBoundary(); !s.ok()) return s;
+    }
+    if (summary_.made_by.empty() && MayDescend()) {
+      const Timer timer;
+      if (Status s = Descend(); !s.ok()) return s;
+      AddSeconds(timer, &result_.certificate.seconds.injective);
     }
     if (summary_.made_by.empty()) {
       const Timer timer;
@@ -205,6 +224,49 @@ class Remedy {
     }
     summary_.boundary_turned = turned;
     result_ = std::move(next);
+  }
+
+  /// Where seams may part and the image is one disk.
+  bool MayDescend() const {
+    if (KeepsSeams(job_) || (HasBoundary() && !MayTurnBoundary())) return false;
+    const Triangulation open = CutOpen(job_.surface.triangulation, result_.cut);
+    return result_.flat.on_input.flipped.empty() && ConnectedPatches(open).count == 1 &&
+           EulerCharacteristic(open) == 1 && BoundaryLoops(open).size() == 1;
+  }
+
+  /// Error: cancelled.
+  Status Descend() {
+    const Timer timer;
+    StatusOr<Descent> descent =
+        DescendToInjective(job_.surface, result_.flat.on_input.lengths, result_.cut,
+                           job_.options.refine_map, job_.control.cancelled);
+    if (descent.status().code() == StatusCode::kCancelled) return descent.status();
+    std::string outcome = ToString(descent.status().code());
+    if (descent.ok()) outcome = Judge(descent->uv);
+    Note("descent", outcome, timer);
+    if (outcome != kInjective) return Status();
+    result_.uv = std::move(descent->uv);
+    summary_.descent_steps = descent->steps;
+    summary_.descent_before = descent->before, summary_.descent_after = descent->after;
+    if (descent->refinement) result_.certificate.map_refinement = descent->refinement;
+    DescribeCut(job_, &result_);
+    result_.certificate.seams = SeamSummary();  // none, as where seams are free from the first
+    return Status();
+  }
+
+  /// The outcome of an image that descent ended at, of which charts are the alternative.
+  std::string Judge(const CornerUv& uv) const {
+    const Triangulation& t = job_.surface.triangulation;
+    if (!FlippedFaces(t, uv).empty() || OverlapsItself(CutOpen(t, result_.cut), uv)) {
+      return kOverlaps;
+    }
+    const EdgeLengths& lengths = job_.surface.lengths;
+    const DistortionSummary flat = DistortionOf(t, lengths, result_.uv);
+    const DistortionSummary now = DistortionOf(t, lengths, uv);
+    const bool angles =
+        now.quasi_conformal_mean - 1 <= kMostTimes * (flat.quasi_conformal_mean - 1) + kMostAngles;
+    const bool areas = now.log_area_ratio_l2 <= kMostTimes * flat.log_area_ratio_l2 + kMostAreas;
+    return LeavesConformal(job_.options.refine_map) || (angles && areas) ? kInjective : kDistorted;
   }
 
   /// Error: cancelled.

@@ -142,6 +142,9 @@ struct InjectivitySummary {
   int injectivity_stages = 0;      ///< tried
   int charts = 1;
   std::optional<double> boundary_turned;  ///< [rad] largest change of a boundary vertex's angle sum
+  /// DescendToInjective
+  std::optional<int> descent_steps;
+  std::optional<double> descent_before, descent_after;
 };
 
 /// RefineCones.
