@@ -29,7 +29,7 @@ void Fence::SetReach(const Eigen::VectorXcd& z, double share) {
   for (Side& side : sides) side.reach = share * std::abs(z[side.tip] - z[side.tail]);
 }
 
-std::vector<Contact> Fence::Contacts(const Eigen::VectorXcd& z) const {
+std::vector<Contact> Fence::Contacts(const Eigen::VectorXcd& z, double times) const {
   std::vector<BoxTree::Box> boxes;
   boxes.reserve(sides.size());
   for (const Side& side : sides) {
@@ -40,11 +40,11 @@ std::vector<Contact> Fence::Contacts(const Eigen::VectorXcd& z) const {
   std::vector<Contact> contacts;
   for (const Side& at : sides) {
     const Index v = at.tail;
-    const Eigen::Vector2d p = Point(z[v]), reach(at.reach, at.reach);
+    const Eigen::Vector2d p = Point(z[v]), reach = Eigen::Vector2d::Constant(times * at.reach);
     tree.VisitMeeting({p - reach, p + reach}, [&](Index s) {
       if (sides[s].tail == v || sides[s].tip == v) return;
       Contact contact = ContactOf(v, sides[s], z);
-      contact.reach = std::min(at.reach, sides[s].reach);
+      contact.reach = times * std::min(at.reach, sides[s].reach);
       if (!(contact.distance >= contact.reach)) contacts.push_back(contact);
     });
   }

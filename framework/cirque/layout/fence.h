@@ -35,7 +35,8 @@ struct Fence {
   /// Makes every side reach that share of its length.
   void SetReach(const Eigen::VectorXcd& z, double share);
 
-  std::vector<Contact> Contacts(const Eigen::VectorXcd& z) const;
+  /// With everything's reach so many times as long.
+  std::vector<Contact> Contacts(const Eigen::VectorXcd& z, double times = 1) const;
 
   /// Of the barrier; without one 0.
   double Value(const Eigen::VectorXcd& z) const;

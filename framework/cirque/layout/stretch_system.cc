@@ -13,6 +13,7 @@ using Complex = std::complex<double>;
 
 constexpr double kShareOfWay = 0.9;   ///< to where a triangle has no area
 constexpr double kLongestStep = 256;  ///< where triangles are far too small, steps are too short
+constexpr double kForesight = 1.25;   ///< reaches from where contacts may come in the next steps
 constexpr int kHeld = -1;             ///< the slot of an entry that is none
 
 /// The symmetric matrix [a c; c b] by its eigenvalues and the first eigenvector.
@@ -90,10 +91,9 @@ void StretchSystem::LayOutPattern() {
       for (const Index w : seam.vertex) add(v, w);
     }
   }
-  for (const Contact& contact : contacts_) {
-    const std::array<Index, 3> vertex = {contact.vertex, contact.tail, contact.tip};
-    for (const Index v : vertex) {
-      for (const Index w : vertex) add(v, w);
+  for (const std::array<Index, 3>& contact : foreseen_) {
+    for (const Index v : contact) {
+      for (const Index w : contact) add(v, w);
     }
   }
   lower_.resize(size_, size_);
@@ -101,28 +101,32 @@ void StretchSystem::LayOutPattern() {
 }
 
 void StretchSystem::FindAllSlots() {
-  face_slots_.clear(), seam_slots_.clear(), contact_slots_.clear();
+  face_slots_.clear(), seam_slots_.clear();
   face_slots_.reserve(part_.faces.size());
   for (const BeltramiFace& face : part_.faces) face_slots_.push_back(FindSlots<3>(face.vertex));
   for (const SeamConstraint& seam : part_.seams) seam_slots_.push_back(FindSlots<4>(seam.vertex));
-  for (const Contact& c : contacts_) {
-    contact_slots_.push_back(FindSlots<3>({c.vertex, c.tail, c.tip}));
-  }
 }
 
-/// The pattern is that of the faces and the contacts that there are.
+/// The pattern is kept while it has all contacts that there are; a new one has those, too, that the
+/// next steps may bring.
 void StretchSystem::FindContacts(const Eigen::VectorXcd& z) {
   if (!part_.fence || !(part_.fence->weight > 0)) return;
-  const auto same = [](const Contact& a, const Contact& b) {
-    return a.vertex == b.vertex && a.tail == b.tail;
+  const auto vertices = [](const Contact& c) {
+    return std::array<Index, 3>{c.vertex, c.tail, c.tip};
   };
-  std::vector<Contact> now = part_.fence->Contacts(z);
-  const bool as_before =
-      std::equal(now.begin(), now.end(), contacts_.begin(), contacts_.end(), same);
-  contacts_ = std::move(now);
-  if (as_before) return;
-  LayOutPattern();
-  FindAllSlots();
+  contacts_ = part_.fence->Contacts(z);
+  const bool foreseen = std::all_of(contacts_.begin(), contacts_.end(), [&](const Contact& c) {
+    return std::binary_search(foreseen_.begin(), foreseen_.end(), vertices(c));
+  });
+  if (!foreseen) {
+    foreseen_.clear();
+    for (const Contact& c : part_.fence->Contacts(z, kForesight)) foreseen_.push_back(vertices(c));
+    std::sort(foreseen_.begin(), foreseen_.end());
+    LayOutPattern();
+    FindAllSlots();
+  }
+  contact_slots_.clear();
+  for (const Contact& c : contacts_) contact_slots_.push_back(FindSlots<3>(vertices(c)));
 }
 
 int StretchSystem::Slot(Index i, Index j) const {

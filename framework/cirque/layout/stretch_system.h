@@ -90,6 +90,7 @@ class StretchSystem final : public StepSystem {
   std::vector<Slots<4>> seam_slots_;
   std::vector<Contact> contacts_;  ///< of the part's fence
   std::vector<Slots<3>> contact_slots_;
+  std::vector<std::array<Index, 3>> foreseen_;  ///< the contacts in the pattern, sorted
   Eigen::VectorXcd gradient_;
   Eigen::VectorXd penalty_;
   std::unique_ptr<SparseCholesky> cholesky_;
