@@ -11,7 +11,7 @@
 #include "cirque/layout/refine_map.h"
 #include "cirque/metrics/injectivity.h"
 
-#include "tests/common/surfaces.h"
+#include "tests/layout/coiled_strip.h"
 
 namespace cirque {
 namespace {
@@ -72,51 +72,23 @@ TEST(Fence, IsCrossedExactlyWhereTheImageOverlaps) {
   EXPECT_TRUE(fence.IsCrossed(Points(crossing)));
 }
 
-/// A strip that goes round by so many turns, in the plane: it lies upon itself from one turn on.
-CornerUv Coiled(const Surface& strip, double turns) {
-  CornerUv uv;
-  for (const Index v : strip.triangulation.vertex) {
-    const Eigen::Vector3d& x = strip.position[v];
-    const double angle = 2 * kPi * turns * (1 - x.x() / 80), radius = 1 + 0.15 * x.y();
-    uv.value.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  return uv;
+MapRefinement Refine(const CoiledStrip& coil, bool injective, CornerUv* uv) {
+  const IntrinsicSurface surface = MeasureSurface(coil.strip.triangulation, coil.lengths);
+  SeamedSurface of = {surface, coil.none, {}};
+  of.injective = injective;
+  *uv = coil.start;
+  const auto done =
+      RefineStretch(of, *StretchEnergies().Find("symmetric_dirichlet"), {}, nullptr, uv);
+  EXPECT_TRUE(done.ok());
+  return *done;
 }
 
-/// The strip's own metric coiled by 1.3 turns: what an image by 0.9 turns strives for.
-struct Coil {
-  Surface strip = FlatStrip(80, 4);
-  CornerUv start = Coiled(strip, 0.9);
-  EdgeLengths lengths = [this] {
-    const CornerUv wanted = Coiled(strip, 1.3);
-    const Triangulation& t = strip.triangulation;
-    EdgeLengths result{Eigen::VectorXd(t.num_edges())};
-    for (Index h = 0; h < t.num_halfedges(); ++h) {
-      result.value[t.edge[h]] =
-          (wanted.value[Triangulation::Next(h)] - wanted.value[Triangulation::Prev(h)]).norm();
-    }
-    return result;
-  }();
-  Cut none{std::vector<bool>(strip.triangulation.num_edges(), false)};
-
-  MapRefinement Refine(bool injective, CornerUv* uv) const {
-    const IntrinsicSurface surface = MeasureSurface(strip.triangulation, lengths);
-    SeamedSurface of = {surface, none, {}};
-    of.injective = injective;
-    *uv = start;
-    const auto done =
-        RefineStretch(of, *StretchEnergies().Find("symmetric_dirichlet"), {}, nullptr, uv);
-    EXPECT_TRUE(done.ok());
-    return *done;
-  }
-};
-
 TEST(RefineStretch, OfAnImageThatIsToStayInjectiveRefusesStepsThatOverlap) {
-  const Coil coil;
+  const CoiledStrip coil;
   const Triangulation& t = coil.strip.triangulation;
   ASSERT_FALSE(OverlapsItself(t, coil.start));
   CornerUv free, fenced;
-  const MapRefinement without = coil.Refine(false, &free), with = coil.Refine(true, &fenced);
+  const MapRefinement without = Refine(coil, false, &free), with = Refine(coil, true, &fenced);
   EXPECT_TRUE(OverlapsItself(t, free));
   EXPECT_LT(without.after, 1e-6);
   EXPECT_FALSE(OverlapsItself(t, fenced));
@@ -127,7 +99,7 @@ TEST(RefineStretch, OfAnImageThatIsToStayInjectiveRefusesStepsThatOverlap) {
 }
 
 TEST(RefineMap, OfAnImageThatIsToStayInjectiveDoesToo) {
-  const Coil coil;
+  const CoiledStrip coil;
   const IntrinsicSurface surface = MeasureSurface(coil.strip.triangulation, coil.lengths);
   for (const bool injective : {false, true}) {
     SeamedSurface of = {surface, coil.none, {}};

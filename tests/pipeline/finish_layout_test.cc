@@ -15,6 +15,7 @@
 #include "cirque/pipeline/parameterize.h"
 
 #include "tests/common/surfaces.h"
+#include "tests/layout/coiled_strip.h"
 
 namespace cirque {
 namespace {
@@ -143,6 +144,25 @@ TEST(RefineLayout, KeepsAPrescribedBoundary) {
     const Index boundary_vertex = 5;  // inside the lower side
     for (Index c = 0; c < t.num_halfedges(); ++c) {
       EXPECT_TRUE(t.vertex[c] != boundary_vertex || refined.uv.value[c] != plain.uv.value[c]);
+    }
+  }
+}
+
+TEST(RefineLayout, KeepsAnInjectiveImageSoWhereItShall) {
+  const CoiledStrip coil;
+  const Triangulation& t = coil.strip.triangulation;
+  const IntrinsicSurface surface = MeasureSurface(t, coil.lengths);
+  const InputChart flat = {surface.angles, coil.lengths, {}};
+  const std::vector<Index> no_cones;
+  for (const char* refine_map : {"symmetric_dirichlet", "arap", "area", "mips:decrease=0"}) {
+    SCOPED_TRACE(refine_map);
+    for (const bool injective : {false, true}) {
+      PlanarLayout layout{coil.start, ConnectedPatches(t), {}, 0};
+      std::optional<MapRefinementSummary> summary;
+      const LaidOutSurface of = {surface, flat, coil.none, no_cones, nullptr, injective};
+      ASSERT_TRUE(RefineLayout(of, FreeBoundaryTargets(t), refine_map, &layout, &summary).ok());
+      EXPECT_EQ(OverlapsItself(t, layout.uv), !injective);
+      EXPECT_LE(summary->map_refinement_after, summary->map_refinement_before);
     }
   }
 }

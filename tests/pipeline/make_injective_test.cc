@@ -88,20 +88,6 @@ TEST(MakeInjective, DescendsWhereThereIsNoBoundaryToTurn) {
             plain.certificate.distortion->quasi_conformal_mean + 0.05);
 }
 
-TEST(MakeInjective, KeepsARefinedImageInjective) {
-  const Surface stair = Stair(0.98);  // it just does not meet itself
-  ParameterizeOptions options;
-  ASSERT_FALSE(Overlaps(stair, MapOf(stair, options)));
-  for (const char* energy : {"symmetric_dirichlet", "arap", "area", "mips"}) {
-    SCOPED_TRACE(energy);
-    options.refine_map = energy;
-    options.injective = true;
-    const Parameterization map = MapOf(stair, options);
-    EXPECT_FALSE(Overlaps(stair, map));
-    EXPECT_EQ(map.certificate.layout->patches, 1);
-  }
-}
-
 TEST(MakeInjective, CutsIntoChartsWhereSeamsAreToMatch) {
   const Surface torus = GeneratedSurface("double_torus", 1200);
   ParameterizeOptions options;

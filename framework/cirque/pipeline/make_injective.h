@@ -21,7 +21,8 @@ using FlattenJobToTargets = std::function<Status(const ParameterizeJob&, Paramet
 ///              opened surface is lowered towards the flat metric and refined, no step making its
 ///              boundary cross itself (DescendToInjective). Not taken where charts, which keep the
 ///              flat metric, are less distorted by far: where the mean of q - 1 is above twice the
-///              flat metric's and 0.1, or the L2 norm of log area ratios above twice that and 0.5
+///              flat metric's and 0.1, or the L2 norm of log area ratios above twice that and 0.5,
+///              unless the refinement asked for leaves conformality
 ///   charts     the image is cut into charts (CutIntoCharts), which then lie side by side in the unit
 ///              square; the flat metric stays
 /// The certificate's injectivity says what was tried and what held. Errors: cancelled.
