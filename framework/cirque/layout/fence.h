@@ -1,7 +1,6 @@
 #pragma once
 
 #include <complex>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
