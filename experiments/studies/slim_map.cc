@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 
 constexpr double kToTheFlip = 0.8;  ///< of the way to where a face collapses
 constexpr double kArmijo = 1e-4, kProximal = 1e-10;
-constexpr int kMostHalvings = 40;
+constexpr int kMostHalvings = 40, kMostIdle = 5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A face in its own plane: J = sum_k uv_k gradient_k'.
@@ -212,9 +212,8 @@ double SymmetricDirichletOf(const Surface& surface, const VertexUv& uv) {
 SlimMap MinimizeBySlim(const Surface& surface, VertexUv start, int most_steps, double least_gain) {
   Slim slim(surface, std::move(start));
   SlimMap map;
-  while (map.steps < most_steps) {
-    ++map.steps;
-    if (slim.Step() < least_gain) break;
+  for (int idle = 0; map.steps < most_steps && idle < kMostIdle; ++map.steps) {
+    idle = slim.Step() < least_gain ? idle + 1 : 0;
   }
   map.uv = slim.TakeUv();
   return map;

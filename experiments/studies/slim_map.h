@@ -24,7 +24,7 @@ struct SlimMap {
 /// injective mappings (M. Rabinovich, R. Poranne, D. Panozzo, O. Sorkine-Hornung, ACM TOG 36(2),
 /// 2017). Every step fits Jacobians to the rotations nearest to them, with weights by which the
 /// quadratic energy has the gradient of the true one, and goes as far along as flips no face and
-/// lowers the energy enough. Ends after most_steps or where a step lowers it by less than
+/// lowers the energy enough. Ends after most_steps or where five on end lower it by less than
 /// `least_gain`, relatively. @pre no face of `start` is flipped.
 SlimMap MinimizeBySlim(const Surface& surface, VertexUv start, int most_steps, double least_gain);
 

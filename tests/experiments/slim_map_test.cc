@@ -45,7 +45,7 @@ TEST(SlimMap, EnergyOfKnownMaps) {
 }
 
 TEST(SlimMap, UnfoldsWhatIsFlat) {
-  const Surface flat = GeneratedSurface("grid", 200);
+  const Surface flat = GeneratedSurface("flat_delaunay_patch", 200);
   VertexUv start = ConvexStart(flat);
   EXPECT_GT(SymmetricDirichletOf(flat, start), 1e-2);
   const SlimMap map = MinimizeBySlim(flat, std::move(start), 400, 1e-12);
