@@ -51,7 +51,7 @@ StatusOr<MapRefinement> RefineMap(const SeamedSurface& of, const MapObjective& o
 /// How to lower a stretch energy: further from where a circle pattern begins than conformal energies.
 struct RefineStretchOptions {
   int steps = 1000;        ///< the most; a map far from its minimum takes hundreds
-  double decrease = 1e-4;  ///< ends when a step lowers the energy by less than this share
+  double decrease = 1e-6;  ///< ends when a step lowers the energy by less than this share
   double weight = 0.5;     ///< of area in energies that blend
   /// Of an edge's length: how far the barrier about the boundary of an image that stays injective
   /// reaches at last.
