@@ -172,7 +172,10 @@ TEST(FlipComplex, AThousandFlipsUndoneInReverseOrderAreNone) {
     const std::optional<double> length = complex.OtherDiagonal(h);
     if (!length || complex.RatioAfterFlip(h, *length) > 1e4) continue;
     done.push_back({h, complex.label(h), length_of[complex.label(h)]});
+    const auto [of_h, of_twin] = complex.TangentsAfterFlip(h, *length);
     complex.Flip(h, *length, static_cast<Index>(length_of.size()));
+    EXPECT_EQ(complex.SquaredHalfTangent(h), of_h) << "to the last bit";
+    EXPECT_EQ(complex.SquaredHalfTangent(complex.twin(h)), of_twin);
     length_of.push_back(*length);
   }
   EXPECT_NE(Arrays(complex), before);

@@ -45,10 +45,16 @@ double FlipComplex::DelaunayRatio(Index h) const {
 
 std::optional<double> FlipComplex::OtherDiagonal(Index h) const {
   const Index g = side_[h].twin;
-  const double left = SquaredHalfTangent(Next(h)), right = SquaredHalfTangent(Prev(g));
+  return OtherDiagonal(h, {SquaredHalfTangent(Next(h)), SquaredHalfTangent(Prev(g)),
+                           SquaredHalfTangent(Prev(h)), SquaredHalfTangent(Next(g))});
+}
+
+std::optional<double> FlipComplex::OtherDiagonal(Index h, const EndTangents& tangents) const {
+  const Index g = side_[h].twin;
+  const auto [left, right, left_at_tip, right_at_tip] = tangents;
   // tan^2(x / 2) tan^2(y / 2) < 1 exactly when x + y < pi.
   const bool convex_at_tail = left * right < 1;
-  const bool convex_at_tip = SquaredHalfTangent(Prev(h)) * SquaredHalfTangent(Next(g)) < 1;
+  const bool convex_at_tip = left_at_tip * right_at_tip < 1;
   if (!convex_at_tail || !convex_at_tip) return std::nullopt;
   // The law of cosines without a difference but that of two given lengths:
   // z^2 = (x - y)^2 + 4 x y sin^2(half the angle at the tail).
@@ -61,10 +67,15 @@ std::optional<double> FlipComplex::OtherDiagonal(Index h) const {
   return z;
 }
 
-double FlipComplex::RatioAfterFlip(Index h, double length) const {
+std::array<double, 2> FlipComplex::TangentsAfterFlip(Index h, double length) const {
   const Index g = side_[h].twin;
-  return SquaredHalfTangentOpposite(length, side_[Prev(h)].length, side_[Next(g)].length) *
-         SquaredHalfTangentOpposite(length, side_[Prev(g)].length, side_[Next(h)].length);
+  return {SquaredHalfTangentOpposite(length, side_[Prev(h)].length, side_[Next(g)].length),
+          SquaredHalfTangentOpposite(length, side_[Prev(g)].length, side_[Next(h)].length)};
+}
+
+double FlipComplex::RatioAfterFlip(Index h, double length) const {
+  const auto [of_h, of_twin] = TangentsAfterFlip(h, length);
+  return of_h * of_twin;
 }
 
 /// Two of the moved sides may be glued to each other, so all are read before any is written.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,12 +30,21 @@ class FlipComplex {
   /// when they add up to more than pi. An interior edge.
   double DelaunayRatio(Index h) const;
 
+  /// SquaredHalfTangent at the four corners that the edge of h ends in: at its tail on the left and
+  /// on the right of h, then at its tip.
+  using EndTangents = std::array<double, 4>;
+
   /// The length of the other diagonal of the two faces at h, unfolded into the plane; nothing where
   /// it lies outside them or one of the new faces would have no area. An interior edge between two
-  /// different faces.
+  /// different faces. Whoever knows the corners' half tangents passes them.
   std::optional<double> OtherDiagonal(Index h) const;
+  std::optional<double> OtherDiagonal(Index h, const EndTangents& tangents) const;
 
-  /// DelaunayRatio of the other diagonal, of that length, were the edge of h flipped.
+  /// What SquaredHalfTangent would be of h and of its twin, were the edge of h flipped to the other
+  /// diagonal, of that length.
+  std::array<double, 2> TangentsAfterFlip(Index h, double length) const;
+
+  /// DelaunayRatio of the other diagonal, likewise: their product.
   double RatioAfterFlip(Index h, double length) const;
 
   /// Turns the edge of h counter-clockwise: from a -> b with the apexes c on its left and d on its

@@ -11,6 +11,7 @@
 
 #include <glog/logging.h>
 
+#include "cirque/core/parallel.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 
@@ -107,12 +108,15 @@ class DelaunayFlipper {
   DelaunayFlipper(const Triangulation& t, const EdgeLengths& lengths, const ConeTargets& targets,
                   const std::vector<bool>& locked)
       : complex_(t, lengths),
+        tangent_(t.num_halfedges()),
         locked_(locked),
         corners_(CornersPerVertex(t)),
         least_corners_(LeastCorners(t, lengths, targets)),
         needed_(NeededInside(t, targets)),
         chords_(t, targets),
-        flips_left_(kMaxFlipsPerEdge * t.num_edges()) {}
+        flips_left_(kMaxFlipsPerEdge * t.num_edges()) {
+    ParallelFor(t.num_halfedges(), [&](Index h) { tangent_[h] = complex_.SquaredHalfTangent(h); });
+  }
 
   void Run() {
     for (Index h = 0; h < complex_.num_halfedges(); ++h) {
@@ -135,7 +139,7 @@ class DelaunayFlipper {
   std::optional<Violation> ViolationAt(Index h) const {
     const Index g = complex_.twin(h);
     if (g == kNone || Triangulation::Face(g) == Triangulation::Face(h)) return std::nullopt;
-    const double ratio = complex_.DelaunayRatio(h);
+    const double ratio = tangent_[h] * tangent_[g];
     if (!ViolatesDelaunay(ratio) || IsLocked(h)) return std::nullopt;
     return Violation{static_cast<float>(ratio), static_cast<float>(complex_.length(h)), h};
   }
@@ -159,10 +163,13 @@ class DelaunayFlipper {
   }
 
   void TryFlip(Index h) {
-    const std::optional<double> length = complex_.OtherDiagonal(h);
-    if (!length || ViolatesDelaunay(complex_.RatioAfterFlip(h, *length)) || flips_left_ == 0) {
-      return;
-    }
+    const Index g = complex_.twin(h);
+    const std::optional<double> length = complex_.OtherDiagonal(
+        h, {tangent_[Triangulation::Next(h)], tangent_[Triangulation::Prev(g)],
+            tangent_[Triangulation::Prev(h)], tangent_[Triangulation::Next(g)]});
+    if (!length) return;
+    const auto [of_h, of_twin] = complex_.TangentsAfterFlip(h, *length);
+    if (ViolatesDelaunay(of_h * of_twin) || flips_left_ == 0) return;
     if (!MoveCorners(h)) {
       guarded_.push_back(h);
       return;
@@ -170,10 +177,12 @@ class DelaunayFlipper {
     complex_.Flip(h, *length, kNone);
     flips_.push_back(h);
     --flips_left_;
-    for (const Index side : {h, complex_.twin(h)}) {
-      Await(Triangulation::Next(side));
-      Await(Triangulation::Prev(side));
-    }
+    tangent_[h] = of_h;
+    tangent_[g] = of_twin;
+    const Index sides[] = {Triangulation::Next(h), Triangulation::Prev(h), Triangulation::Next(g),
+                           Triangulation::Prev(g)};
+    for (const Index side : sides) tangent_[side] = complex_.SquaredHalfTangent(side);
+    for (const Index side : sides) Await(side);
   }
 
   /// Counts the corners after the flip; leaves the counts alone when it must not happen. The four
@@ -206,7 +215,8 @@ class DelaunayFlipper {
     return corners_[other] != 3 || needed_[v] + needed_[other] < 4 * kPi - kSpareTurn;
   }
 
-  FlipComplex complex_;  // labels: the input's edges, kNone for later ones
+  FlipComplex complex_;          // labels: the input's edges, kNone for later ones
+  std::vector<double> tangent_;  // per halfedge SquaredHalfTangent as it stands: a flip changes six
   const std::vector<bool>& locked_;
   std::vector<Index> corners_, least_corners_;
   const std::vector<double> needed_;
