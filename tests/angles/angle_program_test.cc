@@ -110,7 +110,7 @@ TEST_F(AngleProgramTest, BlocksInvertD) {
     const Vector solution = blocks.Solve(v);
     EXPECT_LT((ApplyD(q, solution) - v).lpNorm<Eigen::Infinity>(), spread < 2 ? 1e-12 : 1e-3);
     const Vector direct = program_.ApplyG(solution);
-    EXPECT_LT((blocks.SolveThenG(v) - direct).lpNorm<Eigen::Infinity>(),
+    EXPECT_LT((blocks.ApplyGToSolution(v, blocks.Solve(v)) - direct).lpNorm<Eigen::Infinity>(),
               1e-12 * (1 + direct.lpNorm<Eigen::Infinity>()));
   }
 }
@@ -118,8 +118,9 @@ TEST_F(AngleProgramTest, BlocksInvertD) {
 TEST_F(AngleProgramTest, TheNormalMatrixIsBDInverseBTransposed) {
   const Vector q = RandomZ().cwiseAbs().array() + 0.1;
   const AngleProgram::Blocks blocks(program_, q);
+  EdgeBlockAssembler assembler(constraints_);
   SparseMatrix lower;
-  blocks.NormalMatrix(&lower);
+  blocks.NormalMatrix(&assembler, &lower);
   const Eigen::MatrixXd normal = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
   for (int i = 0; i < 4; ++i) {
     const Vector y = RandomY();

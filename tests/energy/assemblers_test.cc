@@ -71,5 +71,49 @@ TEST(EdgeBlockAssembler, IsADTimesATransposed) {
   }
 }
 
+/// Random weights for every corner and, where `couples` says so, for pairs across edges.
+template <class Couples>
+void AddWeights(const AngleConstraints& constraints, const Couples& couples, std::mt19937 random,
+                EdgeBlockAssembler* matrix) {
+  const Triangulation& t = constraints.triangulation();
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const double own = value(random), shared = value(random);
+    matrix->Add(h, h, own);
+    const Index g = t.twin[h];
+    if (h > g || !couples(h)) continue;  // a boundary edge's twin is kNone
+    matrix->Add(h, g, shared);
+    matrix->Add(g, h, shared);
+  }
+  for (int row = 0; row < constraints.num_rows(); row += 3) matrix->AddToDiagonal(row, row + 0.1);
+}
+
+TEST(EdgeBlockAssembler, AssemblesAgainWhatItAssemblesAnew) {
+  for (const Triangulation& t : Triangulations()) {
+    const AngleConstraints constraints(t, FreeBoundaryTargets(t));
+    EdgeBlockAssembler again(constraints);
+    SparseMatrix lower;
+    for (unsigned round = 0; round < 6; ++round) {
+      // Twice all couple, twice every third, then none, then all.
+      const auto couples = [&](Index h) {
+        return round == 4 ? false : round / 2 != 1 || h % 3 == 0;
+      };
+      again.Clear();
+      EdgeBlockAssembler anew(constraints);
+      for (EdgeBlockAssembler* matrix : {&again, &anew}) {
+        AddWeights(constraints, couples, std::mt19937(round), matrix);
+      }
+      SparseMatrix expected;
+      anew.Assemble(&expected);
+      again.AssembleAgain(&lower);
+      ASSERT_EQ(lower.nonZeros(), expected.nonZeros());
+      for (int k = 0; k < lower.nonZeros(); ++k) {
+        EXPECT_EQ(lower.innerIndexPtr()[k], expected.innerIndexPtr()[k]);
+        EXPECT_EQ(lower.valuePtr()[k], expected.valuePtr()[k]) << "to the last bit";
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cirque

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
@@ -149,8 +148,8 @@ Eigen::VectorXd AngleProgram::Blocks::Solve(const Eigen::VectorXd& v) const {
   return x;
 }
 
-Eigen::VectorXd AngleProgram::Blocks::SolveThenG(const Eigen::VectorXd& v) const {
-  const Eigen::VectorXd x = Solve(v);
+Eigen::VectorXd AngleProgram::Blocks::ApplyGToSolution(const Eigen::VectorXd& v,
+                                                       const Eigen::VectorXd& x) const {
   Eigen::VectorXd values = program_.ApplyG(x);
   for (int k = 0; k < program_.num_inequalities(); ++k) {
     const Inequality& c = program_.inequalities_[k];
@@ -160,9 +159,10 @@ Eigen::VectorXd AngleProgram::Blocks::SolveThenG(const Eigen::VectorXd& v) const
   return values;
 }
 
-void AngleProgram::Blocks::NormalMatrix(SparseMatrix* lower) const {
+void AngleProgram::Blocks::NormalMatrix(EdgeBlockAssembler* assembler, SparseMatrix* lower) const {
   const int angles = program_.constraints_.triangulation().num_halfedges();
-  EdgeBlockAssembler matrix(program_.constraints_);
+  EdgeBlockAssembler& matrix = *assembler;
+  matrix.Clear();
   for (Index i = 0; i < angles; ++i) {
     const int j = program_.partner_[i];
     if (j == kNone) {
@@ -176,7 +176,7 @@ void AngleProgram::Blocks::NormalMatrix(SparseMatrix* lower) const {
   for (int i = angles; i < program_.num_variables(); ++i) {
     matrix.AddToDiagonal(program_.ranged_row_[i - angles], 1 / own_[i]);
   }
-  matrix.Assemble(lower);
+  matrix.AssembleAgain(lower);
 }
 
 }  // namespace cirque

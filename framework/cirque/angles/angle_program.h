@@ -6,6 +6,7 @@
 
 #include "cirque/angles/angle_fit_problem.h"
 #include "cirque/energy/angle_objective.h"
+#include "cirque/energy/edge_block_assembler.h"
 #include "cirque/energy/energy.h"
 
 namespace cirque {
@@ -48,10 +49,11 @@ class AngleProgram {
     Blocks(const AngleProgram& program, const Eigen::VectorXd& q);
     /// D^-1 v.
     Eigen::VectorXd Solve(const Eigen::VectorXd& v) const;
-    /// G D^-1 v, the sums of two angles without cancellation.
-    Eigen::VectorXd SolveThenG(const Eigen::VectorXd& v) const;
-    /// B D^-1 B', lower triangle.
-    void NormalMatrix(SparseMatrix* lower) const;
+    /// G x for x = D^-1 v, the sums of two angles without cancellation.
+    Eigen::VectorXd ApplyGToSolution(const Eigen::VectorXd& v, const Eigen::VectorXd& x) const;
+    /// B D^-1 B', lower triangle. Both are those of the step before, or new ones: what couples what
+    /// changes seldom.
+    void NormalMatrix(EdgeBlockAssembler* assembler, SparseMatrix* lower) const;
 
    private:
     double Determinant(int i, int j) const;

@@ -46,6 +46,7 @@ class InteriorPointSolve {
         options_(options),
         control_(control),
         watch_(*watch),
+        assembler_(constraints),
         cholesky_(MakeCholesky(options.linear_solver)) {
     summary_.strategy = "interior_point";
   }
@@ -119,21 +120,20 @@ class InteriorPointSolve {
   /// Factors B D^-1 B', shifted as little as makes it positive definite in floating point.
   bool Factorize(const AngleProgram::Blocks& blocks) {
     const Timer evaluation;
-    SparseMatrix matrix;
-    blocks.NormalMatrix(&matrix);
-    const double mean = matrix.diagonal().mean();
+    blocks.NormalMatrix(&assembler_, &matrix_);
+    const double mean = matrix_.diagonal().mean();
     // With every vertex fixed, y_f = 1, y_v = -1 is a kernel, which the right side is orthogonal
     // to.
     const bool gauge = constraints_.HasGauge() &&
                        program_.num_variables() == constraints_.triangulation().num_halfedges();
-    if (gauge) matrix.coeffRef(constraints_.num_faces(), constraints_.num_faces()) *= 2;
+    if (gauge) matrix_.coeffRef(constraints_.num_faces(), constraints_.num_faces()) *= 2;
     ++summary_.hessian_evaluations;
     summary_.evaluation_seconds += evaluation.Seconds();
     const Timer timer;
-    bool factored = cholesky_->Factorize(matrix);
+    bool factored = cholesky_->Factorize(matrix_);
     for (double shift = kFirstShift; !factored && shift <= kLastShift; shift *= kRaise) {
-      for (int i = 0; i < matrix.cols(); ++i) matrix.coeffRef(i, i) += shift * mean;
-      factored = cholesky_->Factorize(matrix);
+      for (int i = 0; i < matrix_.cols(); ++i) matrix_.coeffRef(i, i) += shift * mean;
+      factored = cholesky_->Factorize(matrix_);
     }
     summary_.symbolic_analyses = cholesky_->symbolic_analyses();
     summary_.factorizations = cholesky_->factorizations();
@@ -152,7 +152,7 @@ class InteriorPointSolve {
     d.y = cholesky_->Solve(-equality_ - program_.ApplyB(blocks.Solve(right)));
     const Eigen::VectorXd full = right + program_.ApplyTransposedB(d.y);
     d.x = blocks.Solve(full);
-    d.s = blocks.SolveThenG(full) + inequality_;
+    d.s = blocks.ApplyGToSolution(full, d.x) + inequality_;
     d.z = -(complementarity + at_.z.cwiseProduct(d.s)).cwiseQuotient(at_.s);
     ++summary_.linear_solves;
     summary_.solve_seconds += timer.Seconds();
@@ -220,6 +220,8 @@ class InteriorPointSolve {
   const InteriorPointOptions& options_;
   const SolveControl& control_;
   InfeasibilityWatch& watch_;
+  EdgeBlockAssembler assembler_;
+  SparseMatrix matrix_;  ///< the normal matrix, its pattern kept from step to step
   std::unique_ptr<SparseCholesky> cholesky_;
   Timer timer_;
   SolveSummary summary_;

@@ -6,6 +6,11 @@
 #include "cirque/core/parallel.h"
 
 namespace cirque {
+namespace {
+
+constexpr int kUncoupled = -2;  ///< a place of corners without a coupling across their edge
+
+}  // namespace
 
 /// The entries of a triangle's column: itself, triangles across its edges, vertices of both.
 class EdgeBlockAssembler::FaceColumn {
@@ -147,6 +152,75 @@ void EdgeBlockAssembler::Assemble(SparseMatrix* lower) const {
   FillFaceColumns(lower);
   FillVertexColumns(coupling, lower);
   lower->resizeNonZeros(outer[rows]);
+}
+
+void EdgeBlockAssembler::Clear() {
+  ParallelFor(t_.num_halfedges(), [&](Index h) { own_[h] = shared_[h] = 0; });
+  diagonal_.resize(0);
+}
+
+bool EdgeBlockAssembler::CouplesAsBefore() const {
+  if (places_.empty()) return false;
+  for (Index h = 0; h < t_.num_halfedges(); ++h) {
+    if ((shared_[h] != 0) == (places_[h].other_face == kUncoupled)) return false;
+  }
+  return true;
+}
+
+void EdgeBlockAssembler::FindPlaces(const SparseMatrix& lower) {
+  const int* rows = lower.innerIndexPtr();
+  const auto place = [&](int column, int row) {
+    const int* end = rows + lower.outerIndexPtr()[column + 1];
+    return static_cast<int>(std::lower_bound(rows + lower.outerIndexPtr()[column], end, row) -
+                            rows);
+  };
+  coupling_ = CoupledVertices();
+  places_.resize(t_.num_halfedges());
+  ParallelFor(t_.num_halfedges(), [&](Index h) {
+    const Index f = Triangulation::Face(h);
+    const int own = constraints_.VertexRow(h);
+    places_[h] = {own == kNone ? kNone : place(f, own), kUncoupled, kNone, kNone};
+    if (shared_[h] == 0) return;
+    const Index g = t_.twin[h], other = Triangulation::Face(g);
+    const int vertex = constraints_.VertexRow(g), column = VertexColumn(h);
+    places_[h].other_face = other >= f ? place(f, other) : kNone;
+    places_[h].other_vertex = vertex == kNone ? kNone : place(f, vertex);
+    places_[h].vertices = column == kNone ? kNone : place(column, vertex);
+  });
+}
+
+/// Every entry is the sum of the same terms in the same order as FaceColumn's and those of
+/// FillVertexColumns.
+void EdgeBlockAssembler::FillPlaces(SparseMatrix* lower) const {
+  const int faces = t_.num_faces(), rows = constraints_.num_rows();
+  const int* outer = lower->outerIndexPtr();
+  double* value = lower->valuePtr();
+  const auto add = [&](int place, double x) {
+    if (place != kNone) value[place] += x;
+  };
+  ParallelFor(faces, [&](Index f) {
+    std::fill(value + outer[f], value + outer[f + 1], 0.0);
+    value[outer[f]] = AddedToDiagonal(f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      add(outer[f], own_[h]);
+      add(places_[h].own_vertex, own_[h]);
+      if (shared_[h] == 0) continue;
+      add(places_[h].other_face, shared_[h]);
+      add(places_[h].other_vertex, shared_[h]);
+    }
+  });
+  std::fill(value + outer[faces], value + outer[rows], 0.0);
+  for (int row = faces; row < rows; ++row) value[outer[row]] = AddedToDiagonal(row);
+  for (Index h = 0; h < t_.num_halfedges(); ++h) {
+    if (const int row = constraints_.VertexRow(h); row != kNone) value[outer[row]] += own_[h];
+  }
+  for (const Index h : coupling_) value[places_[h].vertices] += shared_[h];
+}
+
+void EdgeBlockAssembler::AssembleAgain(SparseMatrix* lower) {
+  if (CouplesAsBefore()) return FillPlaces(lower);
+  Assemble(lower);
+  FindPlaces(*lower);
 }
 
 }  // namespace cirque

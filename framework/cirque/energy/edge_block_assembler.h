@@ -30,8 +30,24 @@ class EdgeBlockAssembler {
   /// constrained vertices is stored, others where D has a coupling across the edge.
   void Assemble(SparseMatrix* lower) const;
 
+  /// Forgets what was added, for the next of several matrices.
+  void Clear();
+
+  /// Assemble into the matrix that this very call, before Clear, has filled last (or an empty one):
+  /// while D couples the same corners only values are written, the same to the last bit.
+  void AssembleAgain(SparseMatrix* lower);
+
  private:
   class FaceColumn;
+
+  /// Where a corner's weights go among the matrix' values; kNone: nowhere.
+  struct Places {
+    int own_vertex, other_face, other_vertex, vertices;
+  };
+
+  bool CouplesAsBefore() const;
+  void FindPlaces(const SparseMatrix& lower);
+  void FillPlaces(SparseMatrix* lower) const;
 
   void FillFaceColumns(SparseMatrix* lower) const;
   void FillVertexColumns(const std::vector<int>& coupling, SparseMatrix* lower) const;
@@ -44,6 +60,8 @@ class EdgeBlockAssembler {
   const Triangulation& t_;
   Eigen::VectorXd own_, shared_;  ///< per corner: D_hh and D_hg
   Eigen::VectorXd diagonal_;      ///< what was added there; empty: nothing
+  std::vector<Places> places_;    ///< per corner, of AssembleAgain; empty before it
+  std::vector<int> coupling_;     ///< corners that couple two vertices, in the order of their sums
 };
 
 }  // namespace cirque
