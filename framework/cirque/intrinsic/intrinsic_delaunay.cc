@@ -1,6 +1,7 @@
 #include "cirque/intrinsic/intrinsic_delaunay.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -97,7 +98,15 @@ bool ViolatesDelaunay(double ratio) { return ratio > 1 + kDelaunayTolerance; }
 /// longest edge. Single precision, so that rounding (of a rotated surface) does not decide between
 /// two; the slot does where all else is equal, as on a symmetric surface.
 struct Violation {
-  float ratio, length;
+  Violation(double ratio, double length, Index h)
+      : order(std::uint64_t{BitsOf(ratio)} << 32 | BitsOf(length)), halfedge(h) {}
+
+  /// Positive numbers are in the order of their bits, which are compared at once.
+  static std::uint32_t BitsOf(double positive) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(positive));
+  }
+
+  std::uint64_t order;
   Index halfedge;
 
   auto operator<=>(const Violation&) const = default;
@@ -141,7 +150,7 @@ class DelaunayFlipper {
     if (g == kNone || Triangulation::Face(g) == Triangulation::Face(h)) return std::nullopt;
     const double ratio = tangent_[h] * tangent_[g];
     if (!ViolatesDelaunay(ratio) || IsLocked(h)) return std::nullopt;
-    return Violation{static_cast<float>(ratio), static_cast<float>(complex_.length(h)), h};
+    return Violation(ratio, complex_.length(h), h);
   }
 
   void Await(Index h) {
