@@ -132,7 +132,7 @@ class Map:
     @property
     def status(self):
         """"ok", or "inaccurate": without flips, but not held by doubles to 1e-8."""
-        return self.certificate["outcome"]
+        return self._made.outcome
 
     def per_corner(self):
         """F x 3 x 2: a point for every corner."""

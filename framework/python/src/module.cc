@@ -277,6 +277,7 @@ void BindMeshes(py::module_* module) {
       .def_property_readonly("exact_weight", view([](const MeshMap& m, py::handle o) {
                                return ViewOf(m.exact->weight, o);
                              }))
+      .def_property_readonly("outcome", [](const MeshMap& m) { return m.certificate.outcome; })
       .def_property_readonly("certificate",
                              [](const MeshMap& m) { return m.certificate.ToJson(); });
 }
