@@ -55,12 +55,15 @@ double AngleMeasure::Predicted(Index f, const Eigen::VectorXd& u) const {
 
 Eigen::VectorXd AngleMeasure::Apply(const Eigen::VectorXd& u) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(u.size());
-  for (Index h = 0; h < triangulation_.num_halfedges(); ++h) {
-    const Index f = Triangulation::Face(h), tail = triangulation_.Tail(h),
-                tip = triangulation_.Tip(h);
-    const double flow = weight_[f] * area_[f] * side_[h] * (u[tip] - u[tail]);
-    result[tip] += flow;
-    result[tail] -= flow;
+  for (Index f = 0; f < triangulation_.num_faces(); ++f) {
+    const Index* vertex = triangulation_.vertex.data() + 3 * f;
+    const double at[] = {u[vertex[0]], u[vertex[1]], u[vertex[2]]}, weight = weight_[f] * area_[f];
+    for (int i = 0; i < 3; ++i) {
+      const int tail = (i + 1) % 3, tip = (i + 2) % 3;
+      const double flow = weight * side_[3 * f + i] * (at[tip] - at[tail]);
+      result[vertex[tip]] += flow;
+      result[vertex[tail]] -= flow;
+    }
   }
   return result;
 }
