@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/domain.h"
 #include "cirque/generators/generators.h"
 #include "cirque/io/io.h"
 
@@ -161,6 +162,22 @@ int Count(const Image& image, const Pixel& wanted) {
     count += same;
   }
   return count;
+}
+
+// Where the sides of seams differ nothing flat is glued, and vertices on them are no cones.
+TEST(UvMap, HasConesWhereSeamsMatchOnly) {
+  for (const SeamKind seams : {SeamKind::kRigid, SeamKind::kFree}) {
+    const Surface blob = GeneratedSurface("blob", 400);
+    MapRequest request;
+    request.options.seams = seams;
+    const StatusOr<SurfaceMap> map = MapSurface(blob, request);
+    ASSERT_TRUE(map.ok()) << map.status().message();
+    const UvMap view = MakeUvMap(blob, map->uv);
+    EXPECT_GT(view.seams.size(), 4u);
+    double curvature = 0;
+    for (const auto& [v, sum] : view.cones) curvature += 2 * kPi - sum;
+    EXPECT_NEAR(curvature, seams == SeamKind::kRigid ? 4 * kPi : 0, 1e-6);
+  }
 }
 
 TEST(Picture, ShowsFacesSeamsConesAndFlips) {

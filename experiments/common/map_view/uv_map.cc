@@ -10,7 +10,9 @@
 namespace cirque {
 namespace {
 
-constexpr double kLeastCone = 1e-4;  // [rad] off 2 pi: what uvs in a file can tell from rounding
+// What uvs in a file can tell from rounding:
+constexpr double kLeastCone = 1e-4;      ///< [rad] off 2 pi
+constexpr double kLeastMismatch = 1e-4;  ///< of a seam's sides, over their lengths together
 
 /// The uv of each corner.
 StatusOr<CornerUv> CornerUvs(const PolygonSoup& soup, const Surface& surface) {
@@ -63,15 +65,33 @@ double AngleAt(const CornerUv& uv, Index h) {
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
+/// Of the image's edge opposite corner h.
+double LengthOpposite(const CornerUv& uv, Index h) {
+  return (uv.value[Triangulation::Prev(h)] - uv.value[Triangulation::Next(h)]).norm();
+}
+
+/// The vertices on seams whose sides differ in length: nothing flat is glued there, and angles that do
+/// not add up to 2 pi make no cone.
+std::vector<bool> OnFreeSeams(const UvMap& map) {
+  const Triangulation& mesh = map.surface.triangulation;
+  std::vector<bool> on_free_seam(mesh.num_vertices, false);
+  for (const Index h : map.seams) {
+    const double one = LengthOpposite(map.uv, h), other = LengthOpposite(map.uv, mesh.twin[h]);
+    if (std::abs(one - other) <= kLeastMismatch * (one + other)) continue;
+    on_free_seam[mesh.Tail(h)] = on_free_seam[mesh.Tip(h)] = true;
+  }
+  return on_free_seam;
+}
+
 void FindCones(UvMap* map) {
   const Triangulation& mesh = map->surface.triangulation;
   std::vector<double> sum(mesh.num_vertices);
   for (Index h = 0; h < mesh.num_halfedges(); ++h) sum[mesh.vertex[h]] += AngleAt(map->uv, h);
   const std::vector<bool> on_boundary = BoundaryVertices(mesh);
+  const std::vector<bool> on_free_seam = OnFreeSeams(*map);
   for (Index v = 0; v < mesh.num_vertices; ++v) {
-    if (!on_boundary[v] && std::abs(sum[v] - 2 * kPi) > kLeastCone) {
-      map->cones.emplace_back(v, sum[v]);
-    }
+    if (on_boundary[v] || on_free_seam[v]) continue;
+    if (std::abs(sum[v] - 2 * kPi) > kLeastCone) map->cones.emplace_back(v, sum[v]);
   }
 }
 

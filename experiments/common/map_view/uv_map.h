@@ -27,7 +27,8 @@ struct UvMap {
   std::vector<Eigen::Vector3d> on_sphere;  ///< the place of each point there; empty: in the plane
   std::vector<Index> seams;                ///< halfedges, both sides: interior, their uvs differ
   std::vector<Index> boundary;             ///< halfedges on the surface's boundary
-  std::vector<std::pair<Index, double>> cones;  ///< interior vertices, angle sum in the image [rad]
+  /// Interior vertices whose seams match, angle sum in the image [rad].
+  std::vector<std::pair<Index, double>> cones;
 
   /// What the image repeats by: its seams take this lattice to itself; none: they need not.
   std::optional<LatticeKind> lattice;
