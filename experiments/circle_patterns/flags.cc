@@ -84,6 +84,16 @@ std::vector<std::string> FlagsOf(const Domain& domain) {
   return flags;
 }
 
+/// The domains that take a flag that not every domain does.
+std::vector<std::string> DomainsWith(const std::string& flag) {
+  std::vector<std::string> domains;
+  for (const std::string& name : Domains().Names()) {
+    const std::vector<std::string> flags = FlagsOf(*Domains().Find(name));
+    if (std::find(flags.begin(), flags.end(), flag) != flags.end()) domains.push_back(name);
+  }
+  return domains;
+}
+
 /// Refuses an unknown domain, and flags that are given and that this domain does not read.
 Status CheckDomainFlags(const std::string& name,
                         const std::function<bool(const std::string&)>& is_given) {
@@ -94,7 +104,8 @@ Status CheckDomainFlags(const std::string& name,
     for (const std::string& flag : FlagsOf(*Domains().Find(other))) {
       if (!is_given(flag) || std::find(own.begin(), own.end(), flag) != own.end()) continue;
       return Status::InvalidInput(
-          fmt::format("--domain={} takes no --{}; it takes {}", name, flag, Join(own)));
+          fmt::format("--domain={} takes no --{}, which is for --domain={}; it takes {}", name,
+                      flag, Join(DomainsWith(flag), "|"), Join(own)));
     }
   }
   return Status();

@@ -183,6 +183,7 @@ TEST(MapToCurve, RefusesWhatDoesNotFit) {
   EXPECT_THAT(message(RequestForCurve("ellipse", inner)), HasSubstr("no vertex of the boundary"));
   EXPECT_THAT(message(RequestForCurve(folder.Path("none"))), HasSubstr("none"));
   EXPECT_THAT(message(RequestForCurve("ellipse:ratio=0.5")), HasSubstr("ratio"));
+  EXPECT_THAT(message(RequestForCurve("elipse:ratio=2")), HasSubstr("did you mean 'ellipse'"));
   const std::string words = folder.Write("words", "0 0\n1 zero\n");
   EXPECT_THAT(message(RequestForCurve(words)), HasSubstr(words + ":2: expected x and y"));
   const std::string eight = folder.Write("eight", "0 0\n4 0\n1 3\n3 3\n");

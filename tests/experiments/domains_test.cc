@@ -57,6 +57,7 @@ TEST_F(DomainsTest, WrongCombinationsAreRefusedByName) {
   const std::pair<std::string, std::string> cases[] = {
       {"--domain=disc", "did you mean 'disk'"},
       {"--centre=3", "--domain=plane takes no --centre"},
+      {"--curve=ellipse", "takes no --curve, which is for --domain=curve;"},
       {"--domain=disk --corners=1,2,3", "--domain=disk takes no --corners"},
       {"--domain=rectangle --sides=4", "--domain=rectangle takes no --sides"},
       {"--domain=polygon --sides=5 --corners=1,2,3", "not both"},

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cirque/core/option_table.h"
+#include "cirque/core/text.h"
 #include "cirque/io/file_input.h"
 
 namespace cirque {
@@ -35,7 +36,11 @@ StatusOr<ClosedCurve> CurveOf(const std::string& option) {
     return Ellipse(ellipse.ratio, kPoints);
   }
   const StatusOr<std::string> text = ReadFileContent(option);
-  if (!text.ok()) return text.status();
+  if (!text.ok()) {
+    const bool misspelt = parsed.ok() && !NearestWord(parsed->name, {kEllipse}).empty();
+    return misspelt ? text.status().In(UnknownName("curve", parsed->name, {kEllipse}))
+                    : text.status();
+  }
   return ParseCurve(option, *text);
 }
 
