@@ -2,27 +2,48 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/domains/domain.h"
+#include "cirque/domains/exact_mesh.h"
 #include "cirque/equivalence/solve_log_scales.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/solver/solver_strategy.h"
+#include "cirque/verify/map_check.h"
 
 #include "experiments/studies/small_surfaces.h"
 
 namespace cirque {
 namespace {
 
+/// A surface of the study, with its cones.
+struct Drawn {
+  explicit Drawn(int number) {
+    Dice dice(static_cast<std::uint64_t>(number));
+    const auto& kinds = SmallSurfaceKinds();
+    soup = kinds[dice.Below(static_cast<int>(kinds.size()))].make(&dice);
+    PreflightReport report;
+    surface = *Preflight(soup, &report);
+    cones = DrawCones(surface.triangulation, &dice);
+  }
+
+  PolygonSoup soup;
+  Surface surface;
+  ConeTargets cones;
+};
+
 Status SolveDoubled(int number, LogScalesResult* result) {
-  Dice dice(static_cast<std::uint64_t>(number));
-  const auto& kinds = SmallSurfaceKinds();
-  const PolygonSoup soup = kinds[dice.Below(static_cast<int>(kinds.size()))].make(&dice);
-  PreflightReport report;
-  const StatusOr<Surface> surface = Preflight(soup, &report);
-  if (!surface.ok()) return surface.status();
-  const ConeTargets cones = DrawCones(surface->triangulation, &dice);
+  const Drawn drawn(number);
   const auto newton = MakeSolverStrategy("newton");
-  return SolveLogScales(surface->triangulation, MeasureEdgeLengths(*surface), cones,
+  return SolveLogScales(drawn.surface.triangulation, MeasureEdgeLengths(drawn.surface), drawn.cones,
                         KeptEdges::kNoEdge, **newton, {}, result);
+}
+
+StatusOr<SurfaceMap> MapExactly(const Drawn& drawn, bool strict) {
+  MapRequest request;
+  request.targets = drawn.cones;
+  request.options.exact = true;
+  request.options.strict = strict;
+  return MapSurface(drawn.surface, request);
 }
 
 /// Creases between which the energy is all but linear: steps that were not searched to rest leapt to
@@ -44,6 +65,29 @@ TEST(AnyCones, BeyondTheDigitsOfLengthsAreNamedSo) {
   EXPECT_THAT(status.message(), testing::HasSubstr("digits"));
   EXPECT_LE(result.residual, 1e-4);
   EXPECT_GT(result.log_scale.maxCoeff() - result.log_scale.minCoeff(), 50);
+}
+
+/// A refinement's step flipped no triangle and yet wound the image twice round a vertex.
+TEST(AnyCones, RefinementsWindTheImageRoundNoVertex) {
+  const Drawn drawn(9101);
+  const StatusOr<SurfaceMap> map = MapExactly(drawn, true);
+  ASSERT_TRUE(map.ok()) << map.status().message();
+  PolygonSoup image = RefineByExactMap(drawn.soup, drawn.surface, *map->exact_map).mesh;
+  PolygonSoup bare = image;
+  bare.texture.clear();
+  bare.corner_texture.clear();
+  const auto report = verify::VerifyMap(bare, image, {});
+  ASSERT_TRUE(report.ok()) << report.status().message();
+  EXPECT_TRUE(report->valid());
+}
+
+/// Doubles cannot hold the pattern's metric; they hold that of conformal equivalence.
+TEST(AnyCones, WhatDoublesDoNotHoldMayStillHaveAnEquivalentMetric) {
+  const Drawn drawn(1409);
+  EXPECT_EQ(MapExactly(drawn, true).status().code(), StatusCode::kUnrepresentable);
+  const StatusOr<SurfaceMap> map = MapExactly(drawn, false);
+  ASSERT_TRUE(map.ok()) << map.status().message();
+  EXPECT_TRUE(map->exact_map.has_value());
 }
 
 }  // namespace

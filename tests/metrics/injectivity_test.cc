@@ -61,6 +61,19 @@ TEST(Injectivity, FacesWhoseCoordinatesOverflowAreFlipped) {
   EXPECT_EQ(FlippedFaces(fan.triangulation, uv), (std::vector<Index>{1, 2}));
 }
 
+// Seven triangles that turn twice round their middle: none is flipped.
+TEST(Injectivity, ImagesThatWindRoundAVertexAreFound) {
+  const Surface fan = Fan(7, 0);
+  CornerUv uv = UvOf(fan);
+  EXPECT_TRUE(WoundVertices(fan.triangulation, uv).empty());
+  for (int k = 0; k < 7; ++k) {
+    const double angle = 0.1 + 4 * kPi * k / 7;
+    MoveVertex(fan, k + 1, {std::cos(angle), std::sin(angle)}, &uv);
+  }
+  EXPECT_TRUE(FlippedFaces(fan.triangulation, uv).empty());
+  EXPECT_EQ(WoundVertices(fan.triangulation, uv), (std::vector<Index>{0}));
+}
+
 TEST(OverlapsItself, WhatLiesUponItselfDoesAndWhatTouchesDoesNot) {
   const Surface strip = FlatStrip(40, 1);
   const Triangulation& t = strip.triangulation;

@@ -28,6 +28,21 @@ std::vector<Index> FlippedFacesInFloat32(const Triangulation& t, const CornerUv&
   return FlippedFaces(t, rounded);
 }
 
+std::vector<Index> WoundVertices(const Triangulation& t, const CornerUv& uv) {
+  // Of triangles that turn once round a vertex one goes from below to above it on the right.
+  std::vector<Index> turns(t.num_vertices, 0);
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const double from = uv.value[Triangulation::Next(h)].y(), at = uv.value[h].y();
+    if (from < at && uv.value[Triangulation::Prev(h)].y() >= at) ++turns[t.vertex[h]];
+  }
+  const std::vector<bool> boundary = BoundaryVertices(t);
+  std::vector<Index> wound;
+  for (Index v = 0; v < t.num_vertices; ++v) {
+    if (!boundary[v] && turns[v] > 1) wound.push_back(v);
+  }
+  return wound;
+}
+
 bool OverlapsItself(const Triangulation& t, const CornerUv& uv) {
   std::vector<Index> twin(t.twin.size(), kNone);  // side h from corner h to the next
   for (Index h = 0; h < t.num_halfedges(); ++h) {

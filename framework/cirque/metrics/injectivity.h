@@ -17,6 +17,11 @@ std::vector<Index> FlippedFaces(const Triangulation& triangulation, const Corner
 /// The same once the coordinates are rounded to 32-bit floats, as many programs read them.
 std::vector<Index> FlippedFacesInFloat32(const Triangulation& triangulation, const CornerUv& uv);
 
+/// The inner vertices round which the triangles turn more than once, by exact comparisons. Steps of a
+/// descent that flips no face can get there, since they need not be flip-free on their way.
+/// Increasing. @pre no face is flipped; `triangulation` is the surface opened along its cut.
+std::vector<Index> WoundVertices(const Triangulation& triangulation, const CornerUv& uv);
+
 /// Whether the image covers some points more than once, exactly (math/image_overlap.h); touching is
 /// no overlap. @pre no face is flipped, the faces round every inner vertex turn once; `triangulation`
 /// is the surface opened along its cut.

@@ -115,7 +115,7 @@ KeptVertices KeepPrescribedBoundary(const Triangulation& t, const ConeTargets& t
   return kept;
 }
 
-/// Refines and tells of it. Errors: cancelled.
+/// Refines and tells of it; the image may be wound round some vertex then. Errors: cancelled.
 Status Refine(const SeamedSurface& of, const Refinement& refinement,
               const std::atomic<bool>* cancelled, CornerUv* uv, MapRefinementSummary* summary) {
   MapRefinement done;
@@ -195,7 +195,15 @@ Status RefineSeamedMap(const SeamedSurface& of, const std::string& refine_map,
   if (refine_map == kNoRefinement) return Status();
   const StatusOr<Refinement> refinement = Parse(refine_map);
   if (!refinement.ok()) return refinement.status();
-  return Refine(of, *refinement, cancelled, uv, &Fill(summary));
+  const CornerUv before = *uv;
+  MapRefinementSummary& done = Fill(summary);
+  Status status = Refine(of, *refinement, cancelled, uv, &done);
+  if (status.ok() && !WoundVertices(CutOpen(of.surface.triangulation, of.cut), *uv).empty()) {
+    *uv = before;
+    done.map_refinement_steps = 0;
+    done.map_refinement_after = done.map_refinement_before;
+  }
+  return status;
 }
 
 SeamSummary SummaryOf(const SeamReport& report) {

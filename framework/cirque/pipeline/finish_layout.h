@@ -57,7 +57,8 @@ Status RefineHeldMap(const IntrinsicSurface& surface, KeptVertices kept,
                      const std::string& refine_map, const std::atomic<bool>* cancelled,
                      CornerUv* uv, std::optional<MapRefinementSummary>* summary);
 
-/// The same of a map whose seams lie along its cut (MeasureSeams).
+/// The same of a map whose seams lie along its cut (MeasureSeams). Where triangles would turn more
+/// than once round a vertex (WoundVertices) the map stays as it was.
 Status RefineSeamedMap(const SeamedSurface& of, const std::string& refine_map,
                        const std::atomic<bool>* cancelled, CornerUv* uv,
                        std::optional<MapRefinementSummary>* summary);
