@@ -145,7 +145,8 @@ TEST_F(Ladder, RadiiThatDoNotConvergeGetMoreIterationsUnlessTheLimitIsTheUsers) 
 TEST_F(Ladder, ACutThatIsGivenGetsNoCones) {
   cut_given_ = true;
   Climb({}, [](const Road&, Parameterization*) { return Unrepresentable(); }).ok();
-  EXPECT_THAT(Tried(), ElementsAre("as_asked", "rigid_seams"));
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "rigid_seams", "equivalence"));
+  for (const Road& road : taken_) EXPECT_EQ(road.options.cones, "");
 }
 
 TEST_F(Ladder, AProofAboutTheSameTargetsIsKept) {
