@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cirque/core/count.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/boundary_spread.h"
 #include "cirque/domains/built_in_domains.h"
+#include "cirque/domains/disk_map.h"
 #include "cirque/domains/disk_placement.h"
 #include "cirque/domains/exact_disk.h"
 #include "cirque/domains/half_plane_chart.h"
@@ -19,12 +19,6 @@
 
 namespace cirque {
 namespace {
-
-constexpr int kMaxDoublings = 60;  ///< of the pole's height
-
-Index CountFalse(const std::vector<bool>& flags) {
-  return static_cast<Index>(std::count(flags.begin(), flags.end(), false));
-}
 
 Status CheckDiskOptions(const std::vector<bool>& boundary, const DomainOptions& domain) {
   const std::vector<std::string> known = {"", "none", "boundary", "area"};
@@ -45,16 +39,6 @@ Status CheckDiskOptions(const std::vector<bool>& boundary, const DomainOptions& 
                     domain.angle_zero));
   }
   return Status();
-}
-
-Status Unrepresentable(const std::string& what) {
-  return Status(StatusCode::kUnrepresentable, "the map exists but " + what +
-                                                  " of double coordinates do not tell its vertices "
-                                                  "apart; a rectangle or the plane may hold it");
-}
-
-Index FileNumber(const Surface& surface, Index v) {
-  return v == kNone ? kNone : surface.soup_vertex[v];
 }
 
 DiskSummary Summarize(const Surface& surface, const HalfPlaneChart& chart,
@@ -91,17 +75,6 @@ void MeasureCore(const Surface& surface, const EdgeLengths& lengths, const Corne
   }
   summary->core_quasi_conformal_mean = sum / area;
   summary->core_quasi_conformal_max = largest;
-}
-
-/// A map whose triangles are not flipped but where an exact one is beside it.
-void Deliver(const Triangulation& t, const EdgeLengths& lengths, CornerUv uv, SurfaceMap* map) {
-  const Timer timer;
-  map->uv = std::move(uv);
-  map->cut.edge.assign(t.num_edges(), false);
-  const std::size_t flipped = map->exact_map ? FlippedFaces(t, map->uv).size() : 0;
-  Fill(&map->certificate.layout).flipped_triangles = static_cast<int>(flipped);
-  MeasureDistortion(t, lengths, map->cut, map->uv, &map->certificate);
-  map->certificate.seconds.measures = timer.Seconds();
 }
 
 /// The share of spreading that distorts least; 1 where all flip triangles.
@@ -151,7 +124,7 @@ Status MakeExactInDisk(const IntrinsicSurface& surface, const SolvedChart& first
   const IntrinsicTriangulation whole = FlippedWhole(surface.triangulation, surface.lengths, first);
   const IntrinsicSurface solved = MeasureSurface(whole.triangulation, whole.lengths);
   disk->Place(first.chart);
-  if (disk->position().empty()) return Unrepresentable("points of the unit disk");
+  if (disk->position().empty()) return DiskUnrepresentable("points of the unit disk");
   if (FlippedFaces(whole.triangulation, disk->UvOf(whole.triangulation)).empty()) {
     std::optional<MapRefinementSummary> unused;
     if (Status s = RefineInDisk(solved, request, control, disk, &unused); !s.ok()) return s;
@@ -159,130 +132,6 @@ Status MakeExactInDisk(const IntrinsicSurface& surface, const SolvedChart& first
   const Status status = DrawExactDisk(surface.triangulation, whole, disk->UvOf(whole.triangulation),
                                       from, request.options.exact_limit, map);
   if (status.ok()) map->certificate.exact_map->exact_layout_closure = first.layout_closure;
-  AddSeconds(timer, &map->certificate.seconds.exact);
-  return status;
-}
-
-std::vector<Index> FlippedFrom(const Triangulation& t, const HalfPlaneChart& chart, double height,
-                               CornerUv* uv) {
-  uv->value.clear();
-  for (const Index v : t.vertex) {
-    const Complex z = v == chart.disk.pole ? Complex(0.5, height) : chart.position[v];
-    uv->value.emplace_back(z.real(), z.imag());
-  }
-  return FlippedFaces(t, *uv);
-}
-
-/// The height of the pole, and the flipped faces that no height avoids.
-double RaisePole(const Triangulation& t, const HalfPlaneChart& chart, CornerUv* uv,
-                 std::vector<Index>* flipped) {
-  double height = 1;
-  for (int i = 0; i < kMaxDoublings; ++i, height *= 2) {
-    *flipped = FlippedFrom(t, chart, height, uv);
-    if (flipped->empty()) break;
-  }
-  return height;
-}
-
-/// A triangle as it is, the side opposite the pole (or the longest one) on the real axis.
-CornerUv TriangleInHalfPlane(const Surface& surface, const IntrinsicSurface& triangle, Index pole,
-                             SurfaceMap* map) {
-  const std::vector<Index>& vertex = triangle.triangulation.vertex;
-  Eigen::Index corner = 0;
-  triangle.angles.value.maxCoeff(&corner);
-  if (pole != kNone) corner = std::find(vertex.begin(), vertex.end(), pole) - vertex.begin();
-  const auto at_pole = static_cast<Index>(corner);
-  const Index next = Triangulation::Next(at_pole), prev = Triangulation::Prev(at_pole);
-  const auto length = [&](Index h) {
-    return triangle.lengths.value[triangle.triangulation.edge[h]];
-  };
-  const double angle = triangle.angles.value[next];
-  CornerUv uv{std::vector<Eigen::Vector2d>(3)};
-  uv.value[next] = {0, 0};
-  uv.value[prev] = {length(at_pole), 0};
-  uv.value[at_pole] = length(prev) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  map->certificate.half_plane =
-      HalfPlaneSummary{FileNumber(surface, vertex[at_pole]), uv.value[at_pole].y(), 0};
-  return uv;
-}
-
-/// The map of a surface of but one triangle.
-Status DeliverTriangle(const Surface& surface, const IntrinsicSurface& triangle,
-                       const MapRequest& request, SurfaceMap* map) {
-  const Triangulation& t = surface.triangulation;
-  const CornerUv uv = TriangleInHalfPlane(surface, triangle, request.shape.pole, map);
-  if (request.options.exact) {
-    Status made =
-        DrawExactDisk(t, {t, triangle.lengths, {}, {}}, uv, {}, request.options.exact_limit, map);
-    if (!made.ok()) return made;
-  }
-  Deliver(t, triangle.lengths, uv, map);
-  return Status();
-}
-
-Status CheckNoOverhang(const Surface& surface, const IntrinsicSurface& intrinsic) {
-  const std::vector<bool> core = LargestChordlessPiece(surface.triangulation, intrinsic.boundary);
-  const Index overhang = CountFalse(core);
-  if (overhang == 0) return Status();
-  const auto first = std::find(core.begin(), core.end(), false) - core.begin();
-  return Status::InvalidInput(fmt::format(
-      "{} beyond edges that join two boundary vertices, one of them in face {} "
-      "(0-based): a straight boundary leaves them no area; split those edges, or map to the disk",
-      Count(overhang, "triangle") + (overhang == 1 ? " lies" : " lie"),
-      surface.soup_polygon[first]));
-}
-
-/// Refines the chart without the pole's faces: its inner vertices move, those of the straight
-/// boundary slide along the real axis, but for the ends of the chain, and the pole's link stays.
-/// `t` with `lengths` is a triangulation of the chart's rest.
-Status RefineInHalfPlane(const Triangulation& t, const EdgeLengths& lengths,
-                         const MapRequest& request, const SolveControl& control,
-                         HalfPlaneChart* chart, std::optional<MapRefinementSummary>* summary) {
-  const PuncturedDisk& disk = chart->disk;
-  if (disk.rest.face.empty()) return Status();
-  const IntrinsicSurface rest = MeasureSurface(t, lengths);
-  KeptVertices kept{rest.boundary};
-  kept.sliding.slides.assign(t.num_vertices, false);
-  kept.sliding.direction.assign(t.num_vertices, 1.0);
-  for (std::size_t k = 1; k + 1 < disk.chain.size(); ++k) {
-    kept.sliding.slides[disk.chain[k]] = true;
-    kept.held[disk.chain[k]] = false;
-  }
-  CornerUv uv;
-  for (const Index v : t.vertex) {
-    const Complex z = chart->position[disk.rest.vertex[v]];
-    uv.value.emplace_back(z.real(), z.imag());
-  }
-  const Status status = RefineHeldMap(rest, std::move(kept), request.options.refine_map,
-                                      control.cancelled, &uv, summary);
-  for (Index h = 0; status.ok() && h < t.num_halfedges(); ++h) {
-    chart->position[disk.rest.vertex[t.vertex[h]]] = {uv.value[h].x(), uv.value[h].y()};
-  }
-  return status;
-}
-
-/// The same of the exact map of what was solved first, drawn; the height of the pole.
-Status MakeExactInHalfPlane(const IntrinsicSurface& surface, const MapRequest& request,
-                            const SolveControl& control, SolvedChart* first, double* height,
-                            SurfaceMap* map) {
-  const Timer timer;
-  control.BeginStage("exact map");
-  const IntrinsicTriangulation whole = FlippedWhole(surface.triangulation, surface.lengths, *first);
-  CornerUv uv;
-  std::vector<Index> flipped;
-  *height = RaisePole(whole.triangulation, first->chart, &uv, &flipped);
-  if (flipped.empty()) {
-    std::optional<MapRefinementSummary> unused;
-    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths, request,
-                                     control, &first->chart, &unused);
-        !s.ok()) {
-      return s;
-    }
-    FlippedFrom(whole.triangulation, first->chart, *height, &uv);
-  }
-  const Status status =
-      DrawExactDisk(surface.triangulation, whole, uv, {}, request.options.exact_limit, map);
-  if (status.ok()) map->certificate.exact_map->exact_layout_closure = first->layout_closure;
   AddSeconds(timer, &map->certificate.seconds.exact);
   return status;
 }
@@ -311,7 +160,7 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
     if (!clean) disk.TakePlaces(exact);
   } else if (!clean) {
     spread = SpreadBest(intrinsic, chart, &disk);
-    if (!disk.Spread(chart, spread).empty()) return Unrepresentable("points of the unit disk");
+    if (!disk.Spread(chart, spread).empty()) return DiskUnrepresentable("points of the unit disk");
   }
   if (clean || !first) {
     control.BeginStage("refinement");
@@ -325,7 +174,7 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
     if (!made.ok()) return made;
   }
   DiskSummary summary = Summarize(surface, chart, disk, spread);
-  Deliver(t, lengths, disk.Uv(), map);
+  DeliverDisk(t, lengths, disk.Uv(), map);
   MeasureCore(surface, lengths, map->uv, chart.disk.core, &summary);
   map->certificate.disk = summary;
   return Status();
@@ -364,7 +213,8 @@ Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& cho
   const CutFrom from = {FacesBeforeSplit(t, chords), t.num_faces()};
   Status status = SolveDisk(split, request, from, control, map);
   if (!status.ok()) return status;
-  if (map->certificate.disk->boundary_spread > 0) return Unrepresentable("points of the unit disk");
+  if (map->certificate.disk->boundary_spread > 0)
+    return DiskUnrepresentable("points of the unit disk");
   if (map->exact_map) {
     StatusOr<ExactMap> exact =
         BeforeSplit(t, chords, split.triangulation, *std::move(map->exact_map));
@@ -373,7 +223,7 @@ Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& cho
   }
   CornerUv uv = PlacesOfOld(t, split.triangulation, map->uv);
   const bool clean = FlippedFaces(t, uv).empty();
-  if (!clean && !map->exact_map) return Unrepresentable("points of the unit disk");
+  if (!clean && !map->exact_map) return DiskUnrepresentable("points of the unit disk");
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
   if (clean && request.shape.normalization != "area") {
@@ -384,7 +234,7 @@ Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& cho
   }
   DiskSummary& summary = *map->certificate.disk;
   summary.split_chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));
-  Deliver(t, lengths, std::move(uv), map);
+  DeliverDisk(t, lengths, std::move(uv), map);
   MeasureCore(surface, lengths, map->uv, LargestChordlessPiece(t, intrinsic.boundary), &summary);
   return Status();
 }
@@ -404,48 +254,6 @@ Status MapToDisk(const Surface& surface, const MapRequest& request, const SolveC
     if (status.ok() || status.code() == StatusCode::kCancelled) return status;
   }
   return SolveDisk(surface, request, {}, control, map);
-}
-
-Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
-                      const SolveControl& control, SurfaceMap* map) {
-  const Triangulation& t = surface.triangulation;
-  if (Status s = CheckIsDisk(t); !s.ok()) return s;
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
-  if (t.num_faces() == 1) return DeliverTriangle(surface, intrinsic, request, map);
-  if (Status s = CheckNoOverhang(surface, intrinsic); !s.ok()) return s;
-  HalfPlaneChart chart;
-  std::optional<SolvedChart> first;
-  CornerUv uv;
-  bool clean = false;
-  double height = 1;
-  const auto flips = [&](const HalfPlaneChart& tried) {
-    std::vector<Index> flipped;
-    height = RaisePole(t, tried, &uv, &flipped);
-    return flipped;
-  };
-  const Status status =
-      SolveHalfPlaneChart({surface, intrinsic, request.shape.pole, request.options, control}, flips,
-                          &map->certificate, &chart, &clean, &first);
-  if (!status.ok()) return status;
-  if (!clean && !first) return Unrepresentable("points of the half-plane");
-  if (first) {
-    double exact_height = 1;
-    Status made = MakeExactInHalfPlane(intrinsic, request, control, &*first, &exact_height, map);
-    if (!made.ok()) return made;
-    if (!clean) chart = first->chart, height = exact_height;
-  }
-  if (clean) {
-    control.BeginStage("refinement");
-    Status refined = RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths, request,
-                                       control, &chart, &map->certificate.map_refinement);
-    if (!refined.ok()) return refined;
-  }
-  FlippedFrom(t, chart, height, &uv);
-  map->certificate.half_plane =
-      HalfPlaneSummary{FileNumber(surface, chart.disk.pole), height, chart.straightness};
-  Deliver(t, lengths, std::move(uv), map);
-  return Status();
 }
 
 }  // namespace cirque
