@@ -3,7 +3,9 @@ from tables import records
 from tables.records import number, plt, quantiles, table
 
 OUTPUT = "seamless"
-NAMES = ["free", "halves", "thirds"]
+NAMES = ["free", "as many", "halves", "thirds"]
+SEAMLESS = NAMES[2:]
+GENERA = [(1, 12), (13, 1000)]
 ACCURACY = 1e-10  # rad
 
 
@@ -17,9 +19,14 @@ def is_met(run):
     return run.ok and miss is not None and miss <= ACCURACY and run.value("rotation_order") in (4, 6)
 
 
-def over_free(of_mesh, group, value):
-    """value of the group over that of free rotations, on the meshes that have both."""
-    pairs = [(of[group], of["free"]) for of in of_mesh.values() if group in of and "free" in of]
+def genus(of):
+    rotations = of["free"].value("handle_rotations") if "free" in of else None
+    return rotations / 2 if rotations else None
+
+
+def over(of_mesh, group, base, value):
+    """value of the group over that of the runs of `base`, on the meshes that have both."""
+    pairs = [(of[group], of[base]) for of in of_mesh.values() if group in of and base in of]
     return [a.value(value) / b.value(value) for a, b in pairs if a.ok and b.ok and b.value(value)]
 
 
@@ -28,23 +35,32 @@ def seconds_over_free(of_mesh, group):
     return [a.cpu / b.cpu for a, b in pairs if a.ok and b.ok and a.cpu and b.cpu]
 
 
+def verdict(of_mesh, group, name):
+    found = [of[group] for of in of_mesh.values() if group in of]
+    flips = sum(int(run.value("flipped_triangles") or 0) for run in found)
+    ratios = [quantiles(over(of_mesh, group, base, value)) for value in ("quasi_conformal_mean", "log_area_ratio_l2")
+              for base in ("free", "as many")]
+    return [f"`{group}`", name, f"{sum(map(is_met, found))} of {len(found)}", flips, *ratios,
+            quantiles(seconds_over_free(of_mesh, group))]
+
+
 def verdicts(of_mesh):
     rows = []
-    for group in NAMES[1:]:
-        found = [of[group] for of in of_mesh.values() if group in of]
-        flips = sum(int(run.value("flipped_triangles") or 0) for run in found)
-        rows.append([f"`{group}`", f"{sum(map(is_met, found))} of {len(found)}", flips,
-                     quantiles(over_free(of_mesh, group, "quasi_conformal_mean")),
-                     quantiles(over_free(of_mesh, group, "log_area_ratio_l2")),
-                     quantiles(seconds_over_free(of_mesh, group))])
-    head = ["rotations", "met to 1e-10 rad", "flipped triangles", "qc mean over free", "area over free", "CPU over free"]
-    return table(head, rows)
+    for least, most in GENERA:
+        of_genus = {mesh: of for mesh, of in of_mesh.items() if genus(of) and least <= genus(of) <= most}
+        if not of_genus:
+            continue
+        name = f"{min(map(genus, of_genus.values())):.0f} to {max(map(genus, of_genus.values())):.0f}"
+        rows += [verdict(of_genus, group, name) for group in SEAMLESS]
+    head = ["rotations", "genus", "met to 1e-10 rad", "flipped triangles", "qc mean over free", "over as many cones",
+            "area l2 over free", "over as many cones", "CPU over free"]
+    return table(head, rows, 2)
 
 
 def row(mesh, group, run):
-    genus = run.value("handle_rotations")
+    rotations = run.value("handle_rotations")
     values = ["holonomy_miss_start", "holonomy_miss_before", "holonomy_miss", "holonomy_angle_change"]
-    return [mesh, f"`{group}`", run.triangles, number(genus and genus / 2, "{:.0f}"), number(run.value("cones"), "{:.0f}"),
+    return [mesh, f"`{group}`", run.triangles, number(rotations and rotations / 2, "{:.0f}"), number(run.value("cones"), "{:.0f}"),
             run.outcome, *[number(run.value(name), "{:.1e}") for name in values],
             number(run.value("quasi_conformal_mean"), "{:.4f}"), number(run.value("quasi_conformal_max")),
             number(run.value("log_area_ratio_l2")), number(run.cpu, "{:.1f}")]
@@ -56,6 +72,7 @@ def tables(runs):
     head = ["mesh", "rotations", "triangles", "genus", "cones", "outcome", "miss of first cones", "before closing", "after",
             "angles changed", "qc mean", "qc max", "area l2", "CPU [s]"]
     return "\n\n".join(["# Conformal maps that are seamless up to rotations", verdicts(of_mesh),
+                        "`free`: the default's cones; `as many`: as many cones as the rotations are given, of angles of their own. "
                         "Misses are distances [rad] of the rotations along handles to the next multiple: predicted for the first cones, "
                         "finished with the cones found, after the angles closed it; `angles changed`: by that, at most.",
                         table(head, rows, 2)])
