@@ -71,9 +71,9 @@ bool RadiiNeedMore(const Ended& last) { return FailedInRadii(last) && MayIterate
 bool AnglesNeedMore(const Ended& last) { return FailedInAngles(last) && MayIterateMore(last); }
 
 bool EquivalenceMayDo(const Ended& last) {
-  const bool may_end_otherwise =
-      last.asked_end == RoadEnd::kInfeasible || last.asked_end == RoadEnd::kNotConverged ||
-      last.asked_end == RoadEnd::kUnrepresentable;
+  const bool may_end_otherwise = last.asked_end == RoadEnd::kInfeasible ||
+                                 last.asked_end == RoadEnd::kNotConverged ||
+                                 last.asked_end == RoadEnd::kUnrepresentable;
   return may_end_otherwise && ByCircles(last) &&
          Asked(last).triangulation != SolvedTriangulation::kInput &&
          HasEquivalentMetric(last.start.surface, last.asked_for);
