@@ -26,9 +26,8 @@ VertexUv AtVertices(const Surface& surface, const CornerUv& uv) {
 }
 
 VertexUv ConvexStart(const Surface& surface) {
-  const IntrinsicSurface measured =
-      MeasureSurface(surface.triangulation, MeasureEdgeLengths(surface));
-  return AtVertices(surface, *EmbedInDisk(measured));
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  return AtVertices(surface, *EmbedInDisk(MeasureSurface(surface.triangulation, lengths)));
 }
 
 TEST(SlimMap, EnergyOfKnownMaps) {
