@@ -8,6 +8,7 @@
 #include <gflags/gflags.h>
 
 #include "cirque/core/solve_summary.h"
+#include "cirque/domains/corner_places.h"
 #include "cirque/domains/domain.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/io.h"
@@ -29,14 +30,6 @@ constexpr double kRounding = 1e-9;  ///< of those of flat surfaces, which are 0
 struct Tally {
   int meshes = 0, lower = 0, equal = 0;
 };
-
-VertexUv AtVertices(const Surface& surface, const CornerUv& uv) {
-  VertexUv at(surface.position.size());
-  for (std::size_t h = 0; h < uv.value.size(); ++h) {
-    at[surface.triangulation.vertex[h]] = uv.value[h];
-  }
-  return at;
-}
 
 StatusOr<std::string> RowOf(const std::string& path, Tally* tally) {
   const StatusOr<PolygonSoup> soup = ReadMesh(path);
@@ -61,9 +54,9 @@ StatusOr<std::string> RowOf(const std::string& path, Tally* tally) {
   }
   const Timer slim_timer;
   const SlimMap slim =
-      MinimizeBySlim(*surface, AtVertices(*surface, *start), FLAGS_most_steps, FLAGS_least_gain);
+      MinimizeBySlim(*surface, PlacesOfVertices(t, *start), FLAGS_most_steps, FLAGS_least_gain);
   const double slim_seconds = slim_timer.Seconds();
-  const double own = SymmetricDirichletOf(*surface, AtVertices(*surface, map->uv));
+  const double own = SymmetricDirichletOf(*surface, PlacesOfVertices(t, map->uv));
   const double other = SymmetricDirichletOf(*surface, slim.uv);
   ++tally->meshes;
   const double equal = kEqual * own + kRounding;

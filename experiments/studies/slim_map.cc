@@ -58,7 +58,10 @@ std::vector<FlatFace> FlatFaces(const Surface& surface) {
 
 Matrix2d Jacobian(const FlatFace& face, const VertexUv& uv) {
   Matrix2d j = Matrix2d::Zero();
-  for (int k = 0; k < 3; ++k) j += uv[face.vertex[k]] * face.gradient.row(k);
+  for (int k = 0; k < 3; ++k) {
+    const std::complex<double>& z = uv[face.vertex[k]];
+    j += Vector2d(z.real(), z.imag()) * face.gradient.row(k);
+  }
   return j;
 }
 
@@ -85,7 +88,7 @@ double ValueOf(const std::vector<FlatFace>& faces, const VertexUv& uv) {
 }
 
 void Scale(double by, VertexUv* uv) {
-  for (Vector2d& p : *uv) p *= by;
+  for (std::complex<double>& z : *uv) z *= by;
 }
 
 double BestScale(const Means& means) { return std::pow(means.shrink / means.stretch, 0.25); }
@@ -156,14 +159,15 @@ class Slim {
     for (const FlatFace& face : faces_) AddFace(face, &right);
     for (Index i = 0; i < 2 * n_; ++i) {
       entries_.emplace_back(i, i, kProximal);
-      right[i] += kProximal * uv_[i % n_][i / n_];
+      right[i] += kProximal * (i < n_ ? uv_[i].real() : uv_[i - n_].imag());
     }
     SparseMatrix lower(2 * n_, 2 * n_);
     lower.setFromTriplets(entries_.begin(), entries_.end());
     if (!factor_->Factorize(lower)) return false;
     const Eigen::VectorXd x = factor_->Solve(right);
     direction->resize(uv_.size());
-    for (Index v = 0; v < n_; ++v) (*direction)[v] = Vector2d(x[v], x[n_ + v]) - uv_[v];
+    for (Index v = 0; v < n_; ++v)
+      (*direction)[v] = {x[v] - uv_[v].real(), x[n_ + v] - uv_[v].imag()};
     return x.allFinite();
   }
 

@@ -1,15 +1,14 @@
 #pragma once
 
+#include <complex>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "cirque/mesh/surface.h"
 
 namespace cirque {
 
-/// A map of a disk to the plane, one point a vertex.
-using VertexUv = std::vector<Eigen::Vector2d>;
+/// A map of a disk to the plane, one point a vertex (PlacesOfVertices).
+using VertexUv = std::vector<std::complex<double>>;
 
 /// The area-weighted mean of (s^2 + t^2 + 1/s^2 + 1/t^2) / 2 - 2 over the faces, s and t the singular
 /// values of the map, at the image's best scale; infinite where a face is flipped.

@@ -3,11 +3,13 @@
 #include "experiments/studies/slim_map.h"
 
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "cirque/domains/corner_places.h"
 #include "cirque/domains/domain.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/pipeline/convex_start.h"
@@ -17,29 +19,23 @@
 namespace cirque {
 namespace {
 
-VertexUv AtVertices(const Surface& surface, const CornerUv& uv) {
-  VertexUv at(surface.position.size());
-  for (std::size_t h = 0; h < uv.value.size(); ++h) {
-    at[surface.triangulation.vertex[h]] = uv.value[h];
-  }
-  return at;
-}
-
 VertexUv ConvexStart(const Surface& surface) {
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  return AtVertices(surface, *EmbedInDisk(MeasureSurface(surface.triangulation, lengths)));
+  const Triangulation& t = surface.triangulation;
+  return PlacesOfVertices(t, *EmbedInDisk(MeasureSurface(t, lengths)));
 }
 
 TEST(SlimMap, EnergyOfKnownMaps) {
   const Surface fan = Fan(6, 0);
   VertexUv uv;
-  for (const Eigen::Vector3d& p : fan.position) uv.push_back(p.head<2>());
+  for (const Eigen::Vector3d& p : fan.position) uv.emplace_back(p.x(), p.y());
   EXPECT_NEAR(SymmetricDirichletOf(fan, uv), 0, 1e-14);
-  for (Eigen::Vector2d& p : uv) p *= 7;  // the best scale of an image is not its own
+  for (std::complex<double>& z : uv) z *= 7;  // the best scale of an image is not its own
   EXPECT_NEAR(SymmetricDirichletOf(fan, uv), 0, 1e-14);
-  for (Eigen::Vector2d& p : uv) p.x() *= 4;  // singular values 2 and 1/2 at the best scale
+  for (std::complex<double>& z : uv)
+    z = {4 * z.real(), z.imag()};  // singular values 2 and 1/2 at the best scale
   EXPECT_NEAR(SymmetricDirichletOf(fan, uv), 4.25 - 2, 1e-13);
-  for (Eigen::Vector2d& p : uv) p.x() = -p.x();
+  for (std::complex<double>& z : uv) z = -std::conj(z);
   EXPECT_EQ(SymmetricDirichletOf(fan, uv), std::numeric_limits<double>::infinity());
 }
 
@@ -59,7 +55,7 @@ TEST(SlimMap, AgreesWithTheFrameworksOwnDescent) {
   const StatusOr<SurfaceMap> own = MapSurface(cap, request);
   ASSERT_TRUE(own.ok()) << own.status().message();
   const SlimMap slim = MinimizeBySlim(cap, ConvexStart(cap), 400, 1e-10);
-  const double least = SymmetricDirichletOf(cap, AtVertices(cap, own->uv));
+  const double least = SymmetricDirichletOf(cap, PlacesOfVertices(cap.triangulation, own->uv));
   EXPECT_GT(least, 1e-3);
   EXPECT_LE(least, SymmetricDirichletOf(cap, slim.uv) * (1 + 1e-6));
   EXPECT_NEAR(least, SymmetricDirichletOf(cap, slim.uv), 1e-3 * least);

@@ -1,6 +1,7 @@
 #include "cirque/pipeline/make_injective.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,16 +67,23 @@ TEST(MakeInjective, TurnsTheBoundaryOfADiskWithoutASeam) {
             plain.certificate.distortion->log_area_ratio_l2);
 }
 
-TEST(MakeInjective, DescendsWhereThereIsNoBoundaryToTurn) {
+/// A closed surface whose image overlaps itself as it comes: that map, and the injective one.
+std::pair<Parameterization, Parameterization> MapsOfDoubleTorus(SeamKind seams) {
   const Surface torus = GeneratedSurface("double_torus", 1200);
   ParameterizeOptions options;
   options.cones = "greedy:cones=12";
-  const Parameterization plain = MapOf(torus, options);
-  ASSERT_TRUE(Overlaps(torus, plain));
+  options.seams = seams;
+  Parameterization plain = MapOf(torus, options);
+  EXPECT_TRUE(Overlaps(torus, plain));
   options.injective = true;
-  const Parameterization map = MapOf(torus, options);
+  Parameterization map = MapOf(torus, options);
   EXPECT_FALSE(Overlaps(torus, map));
   EXPECT_EQ(map.certificate.overlap, "injective");
+  return {std::move(plain), std::move(map)};
+}
+
+TEST(MakeInjective, DescendsWhereThereIsNoBoundaryToTurn) {
+  const auto [plain, map] = MapsOfDoubleTorus(SeamKind::kAuto);
   const InjectivitySummary& injectivity = *map.certificate.injectivity;
   EXPECT_EQ(injectivity.made_by, "descent");
   EXPECT_LT(*injectivity.descent_after, *injectivity.descent_before);
@@ -89,16 +97,7 @@ TEST(MakeInjective, DescendsWhereThereIsNoBoundaryToTurn) {
 }
 
 TEST(MakeInjective, CutsIntoChartsWhereSeamsAreToMatch) {
-  const Surface torus = GeneratedSurface("double_torus", 1200);
-  ParameterizeOptions options;
-  options.cones = "greedy:cones=12";
-  options.seams = SeamKind::kRigid;
-  const Parameterization plain = MapOf(torus, options);
-  ASSERT_TRUE(Overlaps(torus, plain));
-  options.injective = true;
-  const Parameterization map = MapOf(torus, options);
-  EXPECT_FALSE(Overlaps(torus, map));
-  EXPECT_EQ(map.certificate.overlap, "injective");
+  const auto [plain, map] = MapsOfDoubleTorus(SeamKind::kRigid);
   const InjectivitySummary& injectivity = *map.certificate.injectivity;
   EXPECT_EQ(injectivity.made_by, "charts");
   EXPECT_GE(injectivity.charts, 2);

@@ -24,24 +24,24 @@ def genus(of):
     return rotations / 2 if rotations else None
 
 
-def over(of_mesh, group, base, value):
-    """value of the group over that of the runs of `base`, on the meshes that have both."""
+def over(of_mesh, group, base, measure):
+    """measure of the group's run over that of the run of `base`, on the meshes that have both."""
     pairs = [(of[group], of[base]) for of in of_mesh.values() if group in of and base in of]
-    return [a.value(value) / b.value(value) for a, b in pairs if a.ok and b.ok and b.value(value)]
+    values = [(measure(a), measure(b)) for a, b in pairs if a.ok and b.ok]
+    return [a / b for a, b in values if a and b]
 
 
-def seconds_over_free(of_mesh, group):
-    pairs = [(of[group], of["free"]) for of in of_mesh.values() if group in of and "free" in of]
-    return [a.cpu / b.cpu for a, b in pairs if a.ok and b.ok and a.cpu and b.cpu]
+def named(value):
+    return lambda run: run.value(value)
 
 
 def verdict(of_mesh, group, name):
     found = [of[group] for of in of_mesh.values() if group in of]
     flips = sum(int(run.value("flipped_triangles") or 0) for run in found)
-    ratios = [quantiles(over(of_mesh, group, base, value)) for value in ("quasi_conformal_mean", "log_area_ratio_l2")
+    ratios = [quantiles(over(of_mesh, group, base, named(value))) for value in ("quasi_conformal_mean", "log_area_ratio_l2")
               for base in ("free", "as many")]
     return [f"`{group}`", name, f"{sum(map(is_met, found))} of {len(found)}", flips, *ratios,
-            quantiles(seconds_over_free(of_mesh, group))]
+            quantiles(over(of_mesh, group, "free", lambda run: run.cpu))]
 
 
 def verdicts(of_mesh):

@@ -15,8 +15,8 @@ namespace cirque {
 namespace {
 
 constexpr int kMostIterations = 40, kMostHalvings = 30;
-constexpr int kMostIdle =
-    10;  ///< where there are no such angles multipliers grow, errors do not fall
+/// Steps that do not halve the error: where there are no such angles multipliers grow instead.
+constexpr int kMostIdle = 10;
 constexpr double kTolerance = 1e-13;  ///< [rad] of every sum
 constexpr double kRounding = 1e-11;   ///< [rad]: errors below that a whole step lowers, or nothing
 constexpr double kNear = 1e-5;        ///< [rad]: errors below which they are what is lowered

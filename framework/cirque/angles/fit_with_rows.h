@@ -27,7 +27,7 @@ struct RowFitMemory {
   Eigen::VectorXd z;                   ///< multipliers of the rows; empty: 0
   Eigen::MatrixXd projection;          ///< rows of A that are taken from each; empty: not known yet
   Eigen::LDLT<Eigen::MatrixXd> schur;  ///< of some earlier point: a preconditioner
-  std::shared_ptr<SparseCholesky> factor;  ///< of A P A', whose pattern is always the same
+  std::unique_ptr<SparseCholesky> factor;  ///< of A P A', whose pattern is always the same
 };
 
 /// The angles of a fit with extra rows: the Lagrange dual in (y, z),

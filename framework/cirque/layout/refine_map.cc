@@ -13,16 +13,16 @@ namespace {
 constexpr double kReaches[] = {0.25, 0.05, 0.01};
 
 /// LowerStretch with a barrier that reaches less and less far; a contact weighs as much as a face.
-int LowerFenced(MapPart whole, const StretchEnergy& energy, double unit,
+int LowerFenced(MapPart* whole, const StretchEnergy& energy, double unit,
                 const RefineStretchOptions& options, const std::atomic<bool>* cancelled,
                 Eigen::VectorXcd* z) {
-  whole.fence->weight = 1 / static_cast<double>(whole.faces.size());
+  whole->fence->weight = 1 / static_cast<double>(whole->faces.size());
   int steps = 0;
   for (const double share : kReaches) {
     if (share < options.least_reach) break;
-    whole.fence->SetReach(*z, share);
+    whole->fence->SetReach(*z, share);
     const StepLimits limits = {options.steps - steps, options.decrease};
-    steps += LowerStretch(whole, energy, unit, limits, cancelled, z);
+    steps += LowerStretch(*whole, energy, unit, limits, cancelled, z);
   }
   return steps;
 }
@@ -75,9 +75,9 @@ StatusOr<MapRefinement> RefineStretch(const SeamedSurface& of, StretchEnergy ene
   const double unit = BestUnit(map.faces(), energy, map.z());
   MapRefinement result;
   result.before = StretchOf(map.faces(), energy, unit, map.z());
-  const MapPart whole = map.Whole();
+  MapPart whole = map.Whole();
   const StepLimits limits = {options.steps, options.decrease};
-  result.steps = whole.fence ? LowerFenced(whole, energy, unit, options, cancelled, &map.z())
+  result.steps = whole.fence ? LowerFenced(&whole, energy, unit, options, cancelled, &map.z())
                              : LowerStretch(whole, energy, unit, limits, cancelled, &map.z());
   if (cancelled && *cancelled)
     return Status(StatusCode::kCancelled, "refinement of the map: interrupted");
