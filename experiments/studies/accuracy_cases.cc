@@ -88,22 +88,33 @@ double EllipticK(double k) {
   return kPi / (2 * a);
 }
 
+/// The vertex at this part of the boundary's edges.
+Index BoundaryVertex(const Triangulation& t, double part) {
+  std::vector<Index> vertices;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    if (t.twin[h] == kNone) vertices.push_back(t.Tail(h));
+  }
+  return vertices[static_cast<std::size_t>(part * static_cast<double>(vertices.size()))];
+}
+
 }  // namespace
 
-StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Index triangles) {
-  const auto soup = GenerateMesh(generator, {triangles, 1});
-  const auto known = KnownConformalMaps().Find(generator);
+StatusOr<AccuracyRow> DiskError(const DiskCase& disk) {
+  const auto soup = GenerateMesh(disk.generator, {disk.triangles, 1});
+  const auto known = KnownConformalMaps().Find(disk.generator);
   if (!soup.ok() || !known.ok()) return soup.ok() ? known.status() : soup.status();
   const auto surface = SurfaceOf(*soup);
   if (!surface.ok()) return surface.status();
   MapRequest request;
   request.domain = "disk";
+  request.options.refine_map = disk.refine_map;
+  if (disk.pole >= 0) request.shape.pole = BoundaryVertex(surface->triangulation, disk.pole);
   const StatusOr<SurfaceMap> map = MapSurface(*surface, request);
   if (!map.ok()) return map.status();
   const Triangulation& t = surface->triangulation;
   std::vector<Complex> exact, found(t.num_vertices);
   for (const Eigen::Vector3d& p : surface->position) {
-    const Eigen::Vector2d w = known->to_plane(p) / radius;
+    const Eigen::Vector2d w = known->to_plane(p) / disk.radius;
     exact.emplace_back(w.x(), w.y());
   }
   Index centre = kNone;

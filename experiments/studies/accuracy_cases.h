@@ -15,10 +15,20 @@ struct AccuracyRow {
   double error = 0;
 };
 
+/// A generated surface whose known image is a disk about 0.
+struct DiskCase {
+  std::string generator;
+  double radius = 1;  ///< of the image
+  Index triangles = 0;
+  double pole = -1;  ///< part of the boundary edges, in the order of their halfedges, before the
+                     ///< vertex that the solve sends to infinity; below 0: chosen
+  std::string refine_map = "auto";  ///< MapOptions::refine_map
+};
+
 /// How far the unit-disk map of a generated surface is from its known map, which is first followed
 /// by the disk automorphism that puts the same vertex at 0 and the same vertex at (1, 0): root mean
-/// square over vertices. The surface's known image is a disk about 0 of `radius`.
-StatusOr<AccuracyRow> DiskError(const std::string& generator, double radius, Index triangles);
+/// square over vertices.
+StatusOr<AccuracyRow> DiskError(const DiskCase& disk);
 
 /// Points with corner vertices and the conformal modulus that a rectangle map should report.
 struct Quadrilateral {

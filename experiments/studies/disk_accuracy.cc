@@ -1,4 +1,5 @@
 // Maps to the unit disk and to rectangles, refined, against what is known of them.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -19,12 +20,24 @@ struct Case {
   Level row;
 };
 
+DiskCase Cap(int level, const std::string& refine_map) {
+  return {"spherical_cap", std::tan(kPi / 6), 500 << (2 * level), -1, refine_map};
+}
+
+DiskCase Hemisphere(int level, const std::string& refine_map) {
+  return {"hemisphere", 1, 500 << (2 * level), -1, refine_map};
+}
+
 const std::vector<Case>& Cases() {
   static const std::vector<Case> kTable = {
-      {"Spherical cap of 60 degrees to the unit disk", "rms distance",
-       [](int level) { return DiskError("spherical_cap", std::tan(kPi / 6), 500 << (2 * level)); }},
-      {"Hemisphere to the unit disk", "rms distance",
-       [](int level) { return DiskError("hemisphere", 1, 500 << (2 * level)); }},
+      {"Spherical cap of 60 degrees to the unit disk, the circle pattern", "rms distance",
+       [](int level) { return DiskError(Cap(level, "none")); }},
+      {"Spherical cap of 60 degrees to the unit disk, refined by `mips`", "rms distance",
+       [](int level) { return DiskError(Cap(level, "mips")); }},
+      {"Hemisphere to the unit disk, the circle pattern", "rms distance",
+       [](int level) { return DiskError(Hemisphere(level, "none")); }},
+      {"Hemisphere to the unit disk, refined by `mips`", "rms distance",
+       [](int level) { return DiskError(Hemisphere(level, "mips")); }},
       {"Sector of an annulus, R / r = 2, 90 degrees: log(2) / (pi / 2) = 0.441271200", "modulus",
        [](int level) { return ModulusError(AnnulusSector(8 << level, 2, kPi / 2)); }},
       {"L of three squares: sqrt(3) = 1.732050808", "modulus",
@@ -32,6 +45,47 @@ const std::vector<Case>& Cases() {
       {"L of three squares between its ends: 0.390850481", "modulus",
        [](int level) { return ModulusError(LShapeBetweenEnds(4 << level)); }}};
   return kTable;
+}
+
+constexpr int kPoles = 8;
+
+/// What the vertex that is sent to infinity does to the map: a row of the table.
+Status AddPoles(const std::string& name, DiskCase disk, std::string* text) {
+  const StatusOr<AccuracyRow> chosen = DiskError(disk);
+  if (!chosen.ok()) return chosen.status().In(name);
+  std::vector<double> errors;
+  for (int i = 0; i < kPoles; ++i) {
+    disk.pole = static_cast<double>(i) / kPoles;
+    const StatusOr<AccuracyRow> row = DiskError(disk);
+    // A vertex behind a chord cannot be the pole.
+    if (!row.ok() && row.status().code() == StatusCode::kInvalidInput) continue;
+    if (!row.ok()) return row.status().In(name);
+    errors.push_back(row->error);
+  }
+  if (errors.empty()) return Status::InvalidInput(name + ": no vertex can be the pole");
+  std::sort(errors.begin(), errors.end());
+  *text +=
+      fmt::format("| {} | {} | {} | {:.3e} | {} | {:.3e} | {:.3e} |\n", name, chosen->triangles,
+                  disk.refine_map, chosen->error, errors.size(), errors.front(), errors.back());
+  return Status();
+}
+
+Status MakePoles(std::string* text) {
+  *text += fmt::format(
+      "\n### The pole\n\nThe rms distance with the pole that is chosen and with up to {} others, "
+      "spread along the boundary, with the circle pattern's places as they are, refined by default "
+      "and refined globally. A refined map has no pole.\n\n"
+      "| surface | triangles | refined by | chosen | others | least | largest |\n"
+      "|---|--:|---|--:|--:|--:|--:|\n",
+      kPoles);
+  for (int level = 0; level < FLAGS_levels; ++level) {
+    for (const char* refine_map : {"none", "auto", "mips"}) {
+      const DiskCase cap = Cap(level, refine_map), hemisphere = Hemisphere(level, refine_map);
+      if (Status s = AddPoles("spherical cap", cap, text); !s.ok()) return s;
+      if (Status s = AddPoles("hemisphere", hemisphere, text); !s.ok()) return s;
+    }
+  }
+  return Status();
 }
 
 Status MakeTables(std::string* text) {
@@ -49,7 +103,7 @@ Status MakeTables(std::string* text) {
     }
     *text += AccuracyTable(which.title, which.value, rows);
   }
-  return Status();
+  return MakePoles(text);
 }
 
 }  // namespace
