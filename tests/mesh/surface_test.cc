@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cirque/intrinsic/intrinsic_surface.h"
+
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
 
@@ -26,6 +28,24 @@ TEST(Surface, EdgeLengthsAreEuclideanAtEveryScale) {
     EXPECT_DOUBLE_EQ(at(1), 5);
     EXPECT_DOUBLE_EQ(at(2), 3);
   }
+}
+
+TEST(Surface, AnglesOfNeedlesAreThoseOfTheirPoints) {
+  // Of a height that lengths do not show: sqrt(1 + 1e-22) is 1.
+  PolygonSoup soup;
+  soup.position = {{0, 0, 0}, {2, 0, 0}, {1, 1e-11, 0}, {1, -1, 0}};
+  for (const auto& face : {std::vector<std::int64_t>{0, 1, 2}, {1, 0, 3}}) {
+    ASSERT_EQ(AddPolygon(face, &soup), "");
+  }
+  const Surface surface = SurfaceOf(soup);
+  CornerAngles angles = MeasureCornerAngles(surface.triangulation, MeasureEdgeLengths(surface));
+  const CornerAngles by_lengths = angles;
+  EXPECT_EQ(angles.value[0], 0);
+  MeasureNeedles(surface, &angles);
+  EXPECT_NEAR(angles.value[0], 1e-11, 1e-24);
+  EXPECT_NEAR(angles.value[1], 1e-11, 1e-24);
+  EXPECT_NEAR(angles.value[2], kPi - 2e-11, 1e-15);
+  for (Index h = 3; h < 6; ++h) EXPECT_EQ(angles.value[h], by_lengths.value[h]);
 }
 
 TEST(AttachUv, WritesEachUvOfAVertexOnce) {

@@ -24,12 +24,13 @@ PolygonSoup Soup(std::vector<Eigen::Vector3d> points,
 }
 
 /// A regular polygon of n corners, fanned from one of them: 2 (n - 2) angles of pi / n, and every
-/// inner edge between two triangles on one circle.
-Surface RegularPolygon(int n) {
+/// inner edge between two triangles on one circle; of another height a fan of needles, most of whose
+/// edges a Delaunay triangulation has not.
+Surface RegularPolygon(int n, double height = 1) {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::vector<std::int64_t>> triangles;
   for (int i = 0; i < n; ++i) {
-    points.emplace_back(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n), 0);
+    points.emplace_back(std::cos(2 * kPi * i / n), height * std::sin(2 * kPi * i / n), 0);
     if (i > 1) triangles.push_back({0, i - 1, i});
   }
   return SurfaceOf(Soup(points, triangles));
@@ -100,8 +101,9 @@ TEST(FlatMetric, IsNoneWhereTheTriangulationIsNotDelaunay) {
 }
 
 TEST(FlatMetric, MapsOfFlatSurfacesAreTheSurfaces) {
-  for (const Surface& surface : {RegularPolygon(1000), FlatStrip(6, 6),
-                                 GeneratedSurface("flat_delaunay_patch", 500), Kite()}) {
+  for (const Surface& surface :
+       {RegularPolygon(1000), FlatStrip(6, 6), GeneratedSurface("flat_delaunay_patch", 500), Kite(),
+        RegularPolygon(80, 1e-3)}) {
     Parameterization map;
     const Status status = Parameterize(surface, {}, {}, &map);
     ASSERT_TRUE(status.ok()) << status.message();
@@ -110,6 +112,7 @@ TEST(FlatMetric, MapsOfFlatSurfacesAreTheSurfaces) {
     EXPECT_EQ(map.certificate.angle_fit->epsilon, 0);
     EXPECT_EQ(map.certificate.angle_fit->angle_iterations, 0);
     EXPECT_LE(map.certificate.radii->radii_gradient, 1e-12);
+    EXPECT_LT(map.certificate.layout->layout_closure, 1e-10);
   }
 }
 

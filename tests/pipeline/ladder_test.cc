@@ -179,6 +179,25 @@ TEST_F(Ladder, AnInaccurateMapIsBetterThanNoneAndAnAccurateOneThanThat) {
   EXPECT_EQ(map_.certificate.ladder->made_with, "");
 }
 
+TEST_F(Ladder, WithoutConesAnInaccurateMapIsSoughtOnTheInputsTriangles) {
+  const auto by_flips = [](const Road& road, Parameterization* map) {
+    const bool flips = road.options.triangulation == SolvedTriangulation::kDelaunay;
+    Fill(&map->certificate.layout).layout_closure = flips ? 1e-7 : 1e-12;
+    return Status();
+  };
+  EXPECT_TRUE(Climb({}, by_flips).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "input_triangulation"));
+}
+
+TEST_F(Ladder, UnfoldsAtLastWhatNoFewerConesMap) {
+  const Status status = Climb({}, [](const Road& road, Parameterization*) {
+    return road.options.cones == "curvature_peaks:share=1" ? Status() : Unrepresentable();
+  });
+  EXPECT_TRUE(status.ok());
+  EXPECT_EQ(Tried().back(), "unfolded");
+  EXPECT_THAT(Tried(), ::testing::IsSupersetOf({"greedy", "l1", "curved_50", "curved_99"}));
+}
+
 TEST_F(Ladder, CancellationEndsIt) {
   int calls = 0;
   const Status status = Climb({}, [&](const Road&, Parameterization*) {

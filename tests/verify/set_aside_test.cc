@@ -55,6 +55,16 @@ TEST(VerifyMapRepairs, AFaceWithAnAreaIsNeverSetAside) {
   EXPECT_THAT(report->orientations->zero_area, ElementsAre(1));
 }
 
+TEST(VerifyMapRepairs, AFaceThatGoesRoundTwiceIsSetAside) {
+  const PolygonSoup in = Flat(kSquare, {{0, 1, 2}, {0, 2, 3}, {0, 1, 2, 3, 0, 1, 2, 3}});
+  PolygonSoup out = in;
+  Collapse(2, &out);
+  const auto report = VerifyMap(in, out, {});
+  ASSERT_TRUE(report.ok()) << report.status().message();
+  EXPECT_TRUE(report->valid()) << report->Verdict();
+  EXPECT_THAT(report->set_aside, ElementsAre(2));
+}
+
 TEST(VerifyMapRepairs, AFlippedFaceBesideOneThatIsSetAsideIsFound) {
   const PolygonSoup in = Flat(kSquare, {{0, 1, 2}, {0, 4, 1}, {0, 2, 3}});
   PolygonSoup out = in;

@@ -10,6 +10,7 @@
 
 #include "cirque/cones/cone_choice.h"
 #include "cirque/cones/cone_fit.h"
+#include "cirque/cones/curved_vertices.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/farthest_vertices.h"
 
@@ -35,13 +36,19 @@ std::vector<Index> SpreadPeaks(const ConeProblem& problem, int count) {
 }  // namespace
 
 const OptionTable<CurvaturePeaksOptions>& CurvaturePeaksOptionTable() {
-  static const OptionTable<CurvaturePeaksOptions> kTable("curvature_peaks",
-                                                         BudgetOptions<CurvaturePeaksOptions>());
+  using O = CurvaturePeaksOptions;
+  static const OptionTable<O> kTable(
+      "curvature_peaks",
+      Joined<O>(BudgetOptions<O>(),
+                {Option<O>("share", &O::share,
+                           "of all curvature, which the cones shall carry, however many; 0: none")
+                     .Between(0, 1)}));
   return kTable;
 }
 
 StatusOr<std::vector<Cone>> CurvaturePeaks::ChooseAtMost(const ConeProblem& problem,
                                                          int count) const {
+  if (share_ > 0) return ConesAtCurvedVertices(problem, share_);
   if (simple_) {
     const ConeSource& source = problem.source();
     const auto targets = SimpleConeTargets(*source.surface);

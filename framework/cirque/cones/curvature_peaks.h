@@ -8,24 +8,30 @@
 
 namespace cirque {
 
-using CurvaturePeaksOptions = ConeBudget;
+struct CurvaturePeaksOptions : ConeBudget {
+  double share = 0;  ///< of all |K|, which the cones shall carry however many they are; 0: none
+};
 
 const OptionTable<CurvaturePeaksOptions>& CurvaturePeaksOptionTable();
 
 /// Cones where the surface itself is most curved (the tenth of the vertices with the greatest |K|,
 /// at least eight a cone while they are about as curved), far from one another, with the curvatures
 /// of least distortion. Says nothing about the distortion: the baseline of the others. Without a
-/// budget: the cones of SimpleConeTargets, whose angles are multiples of pi/2.
+/// budget: the cones of SimpleConeTargets, whose angles are multiples of pi/2. With a share: those
+/// of ConesAtCurvedVertices, as many as these are.
 class CurvaturePeaks final : public BudgetedHeuristic {
  public:
   explicit CurvaturePeaks(const CurvaturePeaksOptions& options)
-      : BudgetedHeuristic(options), simple_(options.cones < 0 && options.target == 0) {}
+      : BudgetedHeuristic(options),
+        simple_(options.cones < 0 && options.target == 0),
+        share_(options.share) {}
 
  protected:
   StatusOr<std::vector<Cone>> ChooseAtMost(const ConeProblem& problem, int count) const override;
 
  private:
   bool simple_;
+  double share_;
 };
 
 /// A simple valid set of cones for a closed surface: the curvature 2 pi chi that Gauss-Bonnet asks

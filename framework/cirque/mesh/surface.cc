@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <glog/logging.h>
 
 #include "cirque/core/grouping.h"
@@ -23,6 +24,36 @@ EdgeLengths MeasureEdgeLengths(const Surface& surface) {
     lengths.value[e] = std::hypot(edge.x(), edge.y(), edge.z());
   }
   return lengths;
+}
+
+namespace {
+
+constexpr double kNeedle = 1e-6;  ///< [rad]
+
+/// The angle at p between q and r.
+double AngleAt(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r) {
+  const Eigen::Vector3d a = q - p, b = r - p;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+void MeasureNeedles(const Surface& surface, CornerAngles* angles) {
+  const Triangulation& t = surface.triangulation;
+  for (Index f = 0; f < t.num_faces(); ++f) {
+    auto corner = angles->value.segment<3>(3 * f);
+    Eigen::Index widest = 0;
+    if (corner.minCoeff() >= kNeedle) continue;
+    corner.maxCoeff(&widest);
+    const auto point = [&](Eigen::Index k) -> const Eigen::Vector3d& {
+      return surface.position[t.vertex[3 * f + k % 3]];
+    };
+    // Of long sides the differences are exact enough, of short ones the cross product.
+    for (const Eigen::Index k : {(widest + 1) % 3, (widest + 2) % 3}) {
+      corner[k] = AngleAt(point(k), point(k + 1), point(k + 2));
+    }
+    corner[widest] = kPi - corner[(widest + 1) % 3] - corner[(widest + 2) % 3];
+  }
 }
 
 namespace {

@@ -27,6 +27,10 @@ struct Surface {
 /// The Euclidean length of every edge (E), without underflow or overflow.
 EdgeLengths MeasureEdgeLengths(const Surface& surface);
 
+/// Measures the angles (3F [rad]) of needles anew, triangles with a corner below 1e-6: edge lengths
+/// tell angles to the root of rounding only, points to rounding.
+void MeasureNeedles(const Surface& surface, CornerAngles* angles);
+
 /// Per edge (E) whether it lies inside a polygon of the input, which is cut along it into triangles:
 /// on both sides of it are the same two corners of the polygon. Seams keep off these edges, and so
 /// every corner of a polygon has one UV. The edge along which a keyhole touches itself is none: it is

@@ -38,6 +38,7 @@ struct FlatSurface {
   Eigen::VectorXd multipliers;       ///< of the angle fit, rows as in AngleConstraints
   LogRadii log_radii;                ///< of intrinsic; the image has the area of the surface
   EdgeLengths intrinsic_lengths;     ///< flat, of intrinsic: with it a CON file
+  bool is_own = false;               ///< the metric is the surface's own, which is flat
   /// V, where intrinsic's flips are Ptolemy's and the metric is conformally equivalent: what edges of
   /// the input are straight in is TraceIdealGeodesic's to say. Empty: a circle pattern.
   Eigen::VectorXd log_scale;

@@ -177,6 +177,11 @@ class Flattening {
     if (options_.exact && !result_.exact) {
       result_.exact = {result_.intrinsic, flat, result_.intrinsic_lengths};
     }
+    if (result_.is_own) {
+      // Undoing flips would bring no more than rounding, which turns needles over.
+      result_.on_input = {job_.surface.angles, job_.surface.lengths, {}};
+      return;
+    }
     result_.on_input = ReadOnInput(input_, result_.intrinsic, flat, result_.intrinsic_lengths);
     UntangleChart(job_, VertexAngleSums(t(), flat), &flips_, &result_.on_input);
     if (options_.exact && !first_ && !result_.on_input.flipped.empty()) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cirque/cones/cone.h"
 #include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/flatten_by_equivalence.h"
@@ -89,6 +91,14 @@ bool DualWanders(const Ended& last) {
          Asked(last).angle_solver == ParameterizeOptions().angle_solver;
 }
 
+/// Flips among needles cost digits of lengths, which a fit on the input's own triangles has. Where
+/// there are cones others help more often.
+bool ImpreciseByFlips(const Ended& last) {
+  return last.end == RoadEnd::kImprecise && ByCircles(last) &&
+         last.road.options.triangulation == SolvedTriangulation::kDelaunay &&
+         ConesOf(last.start.surface.triangulation, last.asked_for).empty();
+}
+
 bool ConesInfeasible(const Ended& last) {
   return last.end == RoadEnd::kInfeasible && MayRepairCones(last) &&
          !last.map.flat.infeasibility.empty();
@@ -116,6 +126,11 @@ bool FitByInteriorPoint(const Ended& /*last*/, int /*number*/, Road* road) {
   road->options.own_objective = nullptr;
   road->options.angle_objective = "quadratic";
   road->options.angle_solver = "interior_point";
+  return true;
+}
+
+bool SolveOnInput(const Ended& /*last*/, int /*number*/, Road* road) {
+  road->options.triangulation = SolvedTriangulation::kInput;
   return true;
 }
 
@@ -167,6 +182,15 @@ bool PlaceL1(const Ended& last, int factor, Road* road) {
   return PlaceAnew(last, "l1", factor, road);
 }
 
+/// Cones wherever the surface is curved: at last its own metric, unfolded, whose angles are coherent.
+bool PlaceWhereCurved(const Ended& last, int share_in_10000, Road* road) {
+  const int max_iterations = road->options.max_iterations;
+  *road = last.start.asked;
+  road->options.max_iterations = max_iterations;
+  road->options.cones = fmt::format("curvature_peaks:share={}", share_in_10000 / 1e4);
+  return true;
+}
+
 /// The road that was asked for with its own targets, by conformal equivalence.
 bool TakeEquivalence(const Ended& last, int /*number*/, Road* road) {
   *road = last.start.asked;
@@ -194,6 +218,8 @@ constexpr Rung kRungs[] = {
     {"quadratic_more_iterations", "the quadratic objective and more iterations for the radii", true,
      RadiiNeedMore, IterateMore, kMoreIterations},
     {"interior_point", "angles by the interior point", true, DualWanders, FitByInteriorPoint, 0},
+    {"input_triangulation", "the input's own triangulation", false, ImpreciseByFlips, SolveOnInput,
+     0},
     {"move_cones", "moved cones", false, ConesInfeasible, Repair, 1},
     {"widen_cones_1", "moved cones of wider angles", false, ConesInfeasible, Repair, 2},
     {"widen_cones_2", "moved cones of wider angles", false, ConesInfeasible, Repair, 3},
@@ -205,6 +231,12 @@ constexpr Rung kRungs[] = {
     {"greedy_8", "eight times as many cones by greedy", false, MayChooseCones, PlaceGreedy, 8},
     {"moving", "cones by moving", false, MayChooseCones, PlaceMoving, 1},
     {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
+    {"curved_50", "cones where half of the curvature is", false, MayChooseCones, PlaceWhereCurved,
+     5000},
+    {"curved_99", "cones where 99 % of the curvature are", false, MayChooseCones, PlaceWhereCurved,
+     9900},
+    {"unfolded", "cones wherever the surface is curved", false, MayChooseCones, PlaceWhereCurved,
+     10000},
     {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
      IterateMore, kMoreIterations},
     {"equivalence", "discrete conformal equivalence instead of a circle pattern", false,

@@ -247,7 +247,8 @@ Status Parameterize(const Surface& surface, const ParameterizeRequest& request,
   const Timer timer;
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const Origin origin{VerticesInFile(surface), EdgesInsidePolygons(surface), &surface.position};
-  const IntrinsicSurface intrinsic = MeasureSurface(surface.triangulation, lengths);
+  IntrinsicSurface intrinsic = MeasureSurface(surface.triangulation, lengths);
+  MeasureNeedles(surface, &intrinsic.angles);
   Status status = request.cut ? CheckKeepsPolygons(surface, origin.inside, *request.cut) : Status();
   if (status.ok()) status = RunRequest(intrinsic, origin, request, control, result);
   NumberAsInFile(surface, &result->certificate.infeasibility);

@@ -78,6 +78,7 @@ class FlatMetricSolve {
 
   Status Run() {
     result_.infeasibility = {};
+    result_.is_own = false;
     const auto strategy = MakeSolverStrategy(options_.radii_solver, SolverOptions());
     return strategy.ok() ? FitAnglesAndRadii(**strategy) : strategy.status();
   }
@@ -140,6 +141,7 @@ class FlatMetricSolve {
   /// A flat surface needs no solve.
   Status TakeAsItIs(const FlatMetric& flat, const ConeTargets& targets) {
     const AngleConstraints constraints(t(), targets);
+    result_.is_own = true;
     result_.angles = flat.angles;
     result_.log_radii = flat.log_radii;
     result_.multipliers = Eigen::VectorXd::Zero(constraints.num_rows());

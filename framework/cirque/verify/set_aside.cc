@@ -53,6 +53,17 @@ void ForEachSide(const PolygonSoup& in, Index f, const Visit& visit) {
   }
 }
 
+/// Whether the face passes one of its sides twice the same way, as no polygon does.
+bool PassesASideTwice(const PolygonSoup& in, Index f) {
+  std::vector<Side> passed;
+  for (Index c = in.first_corner[f]; c < in.first_corner[f + 1]; ++c) {
+    const Index next = c + 1 < in.first_corner[f + 1] ? c + 1 : in.first_corner[f];
+    if (in.corner[c] != in.corner[next]) passed.emplace_back(in.corner[c], in.corner[next]);
+  }
+  std::sort(passed.begin(), passed.end());
+  return std::adjacent_find(passed.begin(), passed.end()) != passed.end();
+}
+
 /// The sides of more than two of the faces that are not left out.
 std::vector<Side> CrowdedSides(const PolygonSoup& in, const std::vector<bool>& left_out) {
   std::vector<Side> sides, crowded;
@@ -73,7 +84,7 @@ std::vector<bool> MaySetAside(const PolygonSoup& in) {
   std::vector<bool> aside(in.num_polygons());
   for (Index f = 0; f < in.num_polygons(); ++f) {
     const std::vector<Index> vertices = DifferentVertices(in, f);
-    aside[f] = vertices.size() < 3 || AreInLine(in, vertices);
+    aside[f] = vertices.size() < 3 || AreInLine(in, vertices) || PassesASideTwice(in, f);
     ForEachSide(in, f, [&](const Side& side) {
       if (in.position[side.first] == in.position[side.second]) aside[f] = true;
     });

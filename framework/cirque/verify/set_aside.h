@@ -8,8 +8,8 @@
 namespace cirque::verify {
 
 /// Faces of IN of which a map need not speak, since they add nothing to the surface or cannot be
-/// cut into triangles with an area: those with fewer than three different vertices, those whose
-/// corners lie on one line (to 1e-12 of their size), those with two different vertices at one place,
+/// cut into triangles with an area: those with fewer than three different vertices, those that pass
+/// one of their sides twice the same way, those whose corners lie on one line (to 1e-12 of their size), those with two different vertices at one place,
 /// one after the other, and at edges of more than two faces those with the vertices of an earlier
 /// one there.
 std::vector<bool> MaySetAside(const PolygonSoup& in);
