@@ -14,6 +14,7 @@
 #include "cirque/pipeline/certificate.h"
 
 #include "tests/common/domain_maps.h"
+#include "tests/common/exact_maps.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -91,6 +92,24 @@ TEST_P(EveryDomain, MapsWithoutFlipsAndGivesWhatItSays) {
   }
   EXPECT_GE(*map.certificate.seconds.total, *map.certificate.seconds.radii);
   EXPECT_FALSE(entry_.help.empty());
+}
+
+TEST_P(EveryDomain, HasAnExactMapWhereItTakesOne) {
+  const Surface surface = Moved(SurfaceFor(domain_, 400), [](const Vector3d& x) {
+    return Vector3d(x.x(), 2 * x.y() + 0.5 * x.x(), x.z());
+  });
+  MapRequest request = RequestFor(domain_);
+  request.options.exact = true;
+  if (!entry_.Reads("exact")) {
+    const Certificate failed = MustFail(surface, request, StatusCode::kInvalidInput);
+    EXPECT_THAT(failed.message, HasSubstr("takes no exact"));
+    return;
+  }
+  const SurfaceMap map = MustMap(surface, request);
+  ASSERT_TRUE(map.exact_map);
+  EXPECT_GT(map.certificate.exact_map->exact_crossings, 10);
+  EXPECT_GE(map.certificate.exact_map->exact_quasi_conformal_mean, 1);
+  ExpectExactMapIsAccepted(surface, map);
 }
 
 TEST_P(EveryDomain, NeitherScaleNorPlaceOfTheSurfaceMatter) {

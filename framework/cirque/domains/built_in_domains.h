@@ -100,7 +100,9 @@ Status MapToTriangle(const Surface& surface, const MapRequest& request, const So
 
 // Periodic maps: the plane's own, with boundaries straight and no cones, whose seams then are
 // translations. Seams are exact: the two places of a vertex on the cut differ by whole periods to the
-// last bit. Certificate: PeriodicSummary. Errors: kInvalidInput for any other topology, those of
+// last bit. The exact map is placed likewise, by the periods of its own layout (ExactMapSummary), with
+// those of crossings as exact; beside it the map at the vertices may flip triangles. Certificate:
+// PeriodicSummary. Errors: kInvalidInput for any other topology, those of
 // Parameterize, kUnrepresentable where triangles come out flipped at last.
 
 /// Map of a surface of genus 0 with two boundary loops to the strip 0 <= y <= 1, periodic along x: the

@@ -23,7 +23,7 @@ Status MeasurePlaced(const Surface& surface, const char* because, SurfaceMap* ma
   LayoutSummary& layout = Fill(&map->certificate.layout);
   layout.flipped_triangles = static_cast<int>(flipped.size());
   layout.float32_vanishing_triangles = static_cast<int>(FlippedFacesInFloat32(t, map->uv).size());
-  if (!flipped.empty()) {
+  if (!flipped.empty() && !map->exact_map) {
     return Status(
         StatusCode::kUnrepresentable,
         fmt::format("{}: faces {} (0-based) come out flipped", because, IdList(flipped, 5)));

@@ -13,7 +13,8 @@ namespace cirque {
 std::vector<std::complex<double>> PlacesOfVertices(const Triangulation& triangulation,
                                                    const CornerUv& uv);
 
-/// Measures a map as it lies. Refuses one that comes out flipped with kUnrepresentable, `because`.
+/// Measures a map as it lies. Refuses one that comes out flipped with kUnrepresentable, `because`, but
+/// beside an exact one.
 Status MeasurePlaced(const Surface& surface, const char* because, SurfaceMap* map);
 
 /// Puts the corners of a map there, then MeasurePlaced.

@@ -22,19 +22,6 @@ bool AreNumbers(const CornerUv& uv) {
                      [](const Eigen::Vector2d& x) { return x.allFinite(); });
 }
 
-Status CheckNotFlipped(const Triangulation& solved, const CornerUv& uv) {
-  const auto refuse = [](const std::string& why) {
-    return Status(StatusCode::kUnrepresentable,
-                  "the exact map: " + why + "; a rectangle or the plane may hold it");
-  };
-  if (!AreNumbers(uv)) return refuse("doubles do not hold its vertices");
-  const std::size_t flipped = FlippedFaces(solved, uv).size();
-  if (flipped == 0) return Status();
-  return refuse(
-      fmt::format("{} of the triangulation that was solved on {} flipped where their corners go",
-                  Count(flipped, "triangle"), flipped == 1 ? "is" : "are"));
-}
-
 /// A point of a face of a split surface, in the face that this was cut from.
 class PointsBeforeSplit {
  public:
@@ -93,9 +80,26 @@ Status CheckTriangles(const Triangulation& t, const ExactMap& map) {
 
 }  // namespace
 
+Status CheckSolvedNotFlipped(const Triangulation& solved, const CornerUv& uv,
+                             const char* elsewhere) {
+  const auto refuse = [&](const std::string& why) {
+    return Status(StatusCode::kUnrepresentable,
+                  fmt::format("the exact map: {}; {} may hold it", why, elsewhere));
+  };
+  if (!AreNumbers(uv)) return refuse("doubles do not hold its vertices");
+  const std::size_t flipped = FlippedFaces(solved, uv).size();
+  if (flipped == 0) return Status();
+  return refuse(
+      fmt::format("{} of the triangulation that was solved on {} flipped where their corners go",
+                  Count(flipped, "triangle"), flipped == 1 ? "is" : "are"));
+}
+
 Status DrawExactDisk(const Triangulation& disk, const IntrinsicTriangulation& solved,
                      const CornerUv& uv, const CutFrom& from, int limit, SurfaceMap* map) {
-  if (Status s = CheckNotFlipped(solved.triangulation, uv); !s.ok()) return s;
+  if (Status s = CheckSolvedNotFlipped(solved.triangulation, uv, "a rectangle or the plane");
+      !s.ok()) {
+    return s;
+  }
   const IntrinsicSurface surface = MeasureSurface(solved.triangulation, solved.lengths);
   const StatusOr<Overlay> overlay =
       MakeOverlay(disk, solved.flips, StraightLines(surface.triangulation, surface.lengths), limit);

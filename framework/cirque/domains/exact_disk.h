@@ -17,6 +17,11 @@ struct CutFrom {
   Index num_faces = 0;      ///< of the other one
 };
 
+/// Error (kUnrepresentable): a face of the triangulation that was solved on is flipped there, or
+/// doubles do not hold it; `elsewhere` may hold the map.
+Status CheckSolvedNotFlipped(const Triangulation& solved, const CornerUv& uv,
+                             const char* elsewhere);
+
 /// Draws the exact map of a disk whose faces, as `solved` has them, lie in the plane as `uv` says,
 /// and describes it in the certificate. A Moebius map bends the straight edges of the chart; in the
 /// image they are drawn straight again, so that the map is linear on every solved face as it is in

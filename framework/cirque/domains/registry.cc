@@ -23,8 +23,8 @@ namespace cirque {
 namespace {
 
 constexpr char kWhyNoExact[] =
-    ": an exact map has points of the plane, and each once but along seams; map to the plane, the "
-    "disk, the half-plane, a rectangle or a polygon for one";
+    ": what is drawn there for the mesh's vertices after the solve has none; map to another domain "
+    "for one";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
@@ -139,12 +139,12 @@ const Registry<Domain>& Domains() {
          MapToCurve}},
        {"annulus",
         {"a round annulus of outer radius 1, for genus 0 with two boundary loops",
-         {"pattern", "refine_map", "strict"},
+         {"pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToAnnulus}},
        {"strip",
         {"a strip of height 1 that is periodic along x, for the same surfaces",
-         {"pattern", "refine_map", "strict"},
+         {"pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToStrip}},
        {"round_holes",
@@ -154,7 +154,7 @@ const Registry<Domain>& Domains() {
          MapToRoundHoles}},
        {"torus",
         {"the plane modulo the periods 1 and tau, for closed surfaces of genus 1",
-         {"pattern", "refine_map", "strict"},
+         {"pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToTorus}}});
   return kTable;

@@ -27,7 +27,7 @@ struct MappedTriangles {
 /// The surface's own triangles.
 MappedTriangles TrianglesOf(const Triangulation& triangulation, const CornerUv& uv);
 
-/// Those of an exact map of it. @pre no face has a vertex twice.
+/// Those of an exact map of it to the plane. @pre no face has a vertex twice.
 MappedTriangles TrianglesOf(const Triangulation& triangulation, const ExactMap& map);
 
 /// Finds points of a map: in the plane by a grid of about one triangle a cell, on the surface by

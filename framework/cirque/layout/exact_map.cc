@@ -14,32 +14,31 @@
 #include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
 #include "cirque/intrinsic/overlay.h"
+#include "cirque/layout/exact_images.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
 namespace {
 
-using Vector = Eigen::Vector2d;
 using Corner = Overlay::Corner;
-
-Index Next(Index h) { return Triangulation::Next(h); }
-Index Prev(Index h) { return Triangulation::Prev(h); }
 
 /// How far crossings go towards even spacing, round after round.
 constexpr double kSpread[] = {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 1};
 
-double Cross(const Vector& a, const Vector& b, const Vector& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+/// Weights of the last two corners of a face: coordinates in which it lies upright.
+Eigen::Vector2d InFrame(const SurfacePoint& point) {
+  return {point.barycentric[1], point.barycentric[2]};
 }
 
+/// `Image`: PlaneImage or SphereImage.
+template <class Image>
 class ExactMapMaker {
  public:
-  ExactMapMaker(const Triangulation& input, const Triangulation& other, const Cut& cut,
-                const CornerUv& uv, Overlay overlay)
+  ExactMapMaker(const Triangulation& input, const Triangulation& other, Image image,
+                Overlay overlay)
       : input_(input),
         other_(other),
-        open_(CutOpen(other, cut)),
-        uv_(uv),
+        image_(std::move(image)),
         overlay_(std::move(overlay)),
         apex_(overlay_.num_faces(), 0) {
     std::vector<Index> on_input, on_other;
@@ -77,18 +76,33 @@ class ExactMapMaker {
                               Count(left.size(), "face"), overlay_.input_face[left.front()]));
   }
 
-  ExactMap Make() const {
+  /// The triangles; `place` notes where a corner is and returns its number among the places.
+  template <class PlaceCorner>
+  ExactMap Make(const PlaceCorner& place) const {
     ExactMap map;
     AddPoints(&map);
-    std::vector<Index> order(overlay_.num_faces());
-    std::iota(order.begin(), order.end(), 0);
-    const Buckets by_input = SortIntoBuckets(overlay_.input_face, input_.num_faces(), order);
-    std::vector<Index> uv_of(open_.num_vertices + 2 * overlay_.crossing.size(), kNone);
-    for (const Index p : by_input.item) AddFace(p, &uv_of, &map);
+    const Buckets by_input = SortIntoBuckets(overlay_.input_face, input_.num_faces(), AllFaces());
+    for (const Index p : by_input.item) AddFace(p, place, &map);
     return map;
   }
 
+  bool IsVertex(const Corner& corner) const { return corner.vertex < overlay_.num_vertices; }
+
+  const Crossing& CrossingAt(const Corner& corner) const {
+    return overlay_.crossing[corner.vertex - overlay_.num_vertices];
+  }
+
+  typename Image::Point PlaceOf(const Corner& corner) const {
+    return IsVertex(corner) ? typename Image::Point(image_.AtVertex(corner))
+                            : image_.AtCrossing(corner, CrossingAt(corner));
+  }
+
+  const Image& image() const { return image_; }
+  const Overlay& overlay() const { return overlay_; }
+
  private:
+  using Point = typename Image::Point;
+
   std::vector<Index> Order(double Crossing::*along) const {
     std::vector<Index> order(overlay_.crossing.size());
     std::iota(order.begin(), order.end(), 0);
@@ -110,22 +124,6 @@ class ExactMapMaker {
             static_cast<std::size_t>(overlay_.first_corner[p + 1] - first)};
   }
 
-  bool IsVertex(const Corner& corner) const { return corner.vertex < overlay_.num_vertices; }
-
-  const Crossing& CrossingAt(const Corner& corner) const {
-    return overlay_.crossing[corner.vertex - overlay_.num_vertices];
-  }
-
-  /// The same bits from both sides of an edge that is no seam.
-  Vector UvAt(const Corner& corner) const {
-    if (IsVertex(corner)) return uv_.value[corner.other];
-    const Crossing& crossing = CrossingAt(corner);
-    const bool along = corner.other == crossing.other;
-    const Vector& tail = uv_.value[along ? Next(corner.other) : Prev(corner.other)];
-    const Vector& tip = uv_.value[along ? Prev(corner.other) : Next(corner.other)];
-    return tail + crossing.along_other * (tip - tail);
-  }
-
   /// In the frame of its face of the input.
   SurfacePoint PointAt(const Corner& corner) const {
     SurfacePoint point{Triangulation::Face(corner.input), Eigen::Vector3d::Zero()};
@@ -134,47 +132,41 @@ class ExactMapMaker {
       return point;
     }
     const Crossing& crossing = CrossingAt(corner);
-    const bool along = corner.input == crossing.input;
-    const Index tail = along ? Next(corner.input) : Prev(corner.input);
-    const Index tip = along ? Prev(corner.input) : Next(corner.input);
-    point.barycentric[tail % 3] = 1 - crossing.along_input;
-    point.barycentric[tip % 3] = crossing.along_input;
+    const SideOfCrossing side(corner.input, crossing.input);
+    point.barycentric[side.tail % 3] = 1 - crossing.along_input;
+    point.barycentric[side.tip % 3] = crossing.along_input;
     return point;
   }
 
-  static bool ArePositive(std::span<const Vector> at, std::size_t apex) {
-    const std::size_t n = at.size();
+  /// Whether the test holds for every triangle of a polygon cut from the corner `apex`.
+  template <class Each>
+  static bool AllOf(std::size_t n, std::size_t apex, const Each& test) {
     for (std::size_t i = 1; i + 1 < n; ++i) {
-      if (OrientationSign(at[apex], at[(apex + i) % n], at[(apex + i + 1) % n]) <= 0) return false;
+      if (!test(apex, (apex + i) % n, (apex + i + 1) % n)) return false;
     }
     return true;
-  }
-
-  static double LeastArea(std::span<const Vector> at, std::size_t apex) {
-    const std::size_t n = at.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      least = std::min(least, Cross(at[apex], at[(apex + i) % n], at[(apex + i + 1) % n]));
-    }
-    return least;
   }
 
   /// Chooses the corner from which a face is cut into triangles; false where none will do.
   bool ChooseApex(Index p) {
     const std::span<const Corner> corners = CornersOf(p);
-    std::array<Vector, 8> uv, on_input;
+    std::array<Point, 8> at;
+    std::array<Eigen::Vector2d, 8> on_input;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      uv[i] = UvAt(corners[i]);
-      const Eigen::Vector3d& weight = PointAt(corners[i]).barycentric;
-      on_input[i] = {weight[1], weight[2]};
+      at[i] = PlaceOf(corners[i]);
+      on_input[i] = InFrame(PointAt(corners[i]));
     }
-    const std::span<const Vector> in_plane{uv.data(), corners.size()};
-    const std::span<const Vector> in_face{on_input.data(), corners.size()};
     double best = -std::numeric_limits<double>::infinity();
     bool found = false;
     for (std::size_t apex = 0; apex < (corners.size() == 3 ? 1 : corners.size()); ++apex) {
-      const double least = LeastArea(in_plane, apex);
-      if (least <= best || !ArePositive(in_plane, apex) || !ArePositive(in_face, apex)) continue;
+      double least = std::numeric_limits<double>::infinity();
+      const bool positive =
+          AllOf(corners.size(), apex, [&](std::size_t a, std::size_t b, std::size_t c) {
+            least = std::min(least, Image::Size(at[a], at[b], at[c]));
+            return least > best && Image::IsPositive(at[a], at[b], at[c]) &&
+                   OrientationSign(on_input[a], on_input[b], on_input[c]) > 0;
+          });
+      if (!positive) continue;
       best = least;
       apex_[p] = static_cast<int>(apex);
       found = true;
@@ -230,31 +222,16 @@ class ExactMapMaker {
     }
   }
 
-  /// One number for what has one UV: of a crossing two where it lies on a seam.
-  Index UvKey(const Corner& corner) const {
-    if (IsVertex(corner)) return open_.vertex[corner.other];
-    const Index crossing = corner.vertex - overlay_.num_vertices;
-    const bool second =
-        open_.twin[corner.other] == kNone && corner.other != CrossingAt(corner).other;
-    return open_.num_vertices + 2 * crossing + (second ? 1 : 0);
-  }
-
-  void AddFace(Index p, std::vector<Index>* uv_of, ExactMap* map) const {
+  template <class PlaceCorner>
+  void AddFace(Index p, const PlaceCorner& place, ExactMap* map) const {
     const std::span<const Corner> corners = CornersOf(p);
-    std::array<Index, 8> uv;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      Index& number = (*uv_of)[UvKey(corners[i])];
-      if (number == kNone) {
-        number = static_cast<Index>(map->uv.size());
-        map->uv.push_back(UvAt(corners[i]));
-      }
-      uv[i] = number;
-    }
     const std::size_t n = corners.size(), apex = apex_[p];
+    std::array<Index, 8> number;
+    for (std::size_t i = 0; i < n; ++i) number[i] = place(corners[i], map);
     for (std::size_t i = 1; i + 1 < n; ++i) {
       for (const std::size_t k : {apex, (apex + i) % n, (apex + i + 1) % n}) {
         map->corner.push_back(corners[k].vertex);
-        map->corner_uv.push_back(uv[k]);
+        map->corner_uv.push_back(number[k]);
       }
       map->face_of_input.push_back(overlay_.input_face[p]);
       map->face_of_solved.push_back(overlay_.other_face[p]);
@@ -262,8 +239,7 @@ class ExactMapMaker {
   }
 
   const Triangulation &input_, &other_;
-  const Triangulation open_;
-  const CornerUv& uv_;
+  const Image image_;
   Overlay overlay_;
   std::vector<int> apex_;        // of every face: the corner from which it is cut into triangles
   Buckets on_input_, on_other_;  // the crossings of every edge in order
@@ -286,10 +262,36 @@ Eigen::Vector3d InFace(const Triangulation& t, const SurfacePoint& point, Index 
 
 StatusOr<ExactMap> MakeExactMap(const Triangulation& input, const Triangulation& other,
                                 const Cut& cut, const CornerUv& uv, Overlay overlay,
-                                ExactMapRepair* repair) {
-  ExactMapMaker maker(input, other, cut, uv, std::move(overlay));
+                                ExactMapRepair* repair, std::optional<int> grid) {
+  ExactMapMaker maker(input, other, PlaneImage(other, cut, uv, grid), std::move(overlay));
   if (Status s = maker.Orient(repair); !s.ok()) return s;
-  return maker.Make();
+  const PlaneImage& image = maker.image();
+  std::vector<Index> uv_of(image.NumKeys(maker.overlay().crossing.size()), kNone);
+  return maker.Make([&](const Corner& corner, ExactMap* map) {
+    const Index crossing = corner.vertex - maker.overlay().num_vertices;
+    Index& number = uv_of[maker.IsVertex(corner)
+                              ? image.KeyOfVertex(corner)
+                              : image.KeyOfCrossing(corner, maker.CrossingAt(corner), crossing)];
+    if (number == kNone) {
+      number = static_cast<Index>(map->uv.size());
+      map->uv.push_back(maker.PlaceOf(corner));
+    }
+    return number;
+  });
+}
+
+StatusOr<ExactMap> MakeExactSphereMap(const Triangulation& input, const Triangulation& other,
+                                      const std::vector<Eigen::Vector3d>& position, Overlay overlay,
+                                      ExactMapRepair* repair) {
+  ExactMapMaker maker(input, other, SphereImage(other, position), std::move(overlay));
+  if (Status s = maker.Orient(repair); !s.ok()) return s;
+  ExactMap made = maker.Make([&](const Corner& corner, ExactMap* map) {
+    map->position.resize(map->point.size());
+    map->position[corner.vertex] = maker.PlaceOf(corner);
+    return corner.vertex;
+  });
+  made.corner_uv.clear();
+  return made;
 }
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -35,6 +36,8 @@ struct ExactMap {
   /// Of conformal equivalence, per point the logarithm of its weight in the projective map between
   /// the points (ideal_geodesic.h), the largest 0; empty: a circle pattern, linear.
   std::vector<double> log_weight = {};
+  /// Per point, |x| = 1: a map to the unit sphere, which has neither uv nor corner_uv.
+  std::vector<Eigen::Vector3d> position = {};
 
   Index num_triangles() const { return static_cast<Index>(face_of_input.size()); }
 };
@@ -52,10 +55,20 @@ struct ExactMapRepair {
 /// triangulation that it has sides on are moved apart, from 1e-10 up to all the way to where they
 /// are evenly spaced; on both sides of an edge alike, so that no gap opens.
 ///
+/// With a `grid` crossings lie on the cut's edges at multiples of 2^grid from their tails: where the
+/// two sides of the cut are on that grid and differ by a translation, exactly, so do they.
+///
 /// Error (kUnrepresentable): evenly spaced ones do not do either, the face is too small for
 /// doubles. @pre no face of `uv` is flipped.
 StatusOr<ExactMap> MakeExactMap(const Triangulation& input, const Triangulation& other,
                                 const Cut& cut, const CornerUv& uv, Overlay overlay,
-                                ExactMapRepair* repair);
+                                ExactMapRepair* repair, std::optional<int> grid = {});
+
+/// The same on the unit sphere, where the vertices lie at `position`: a crossing lies on the chord of
+/// its edge in proportion, scaled to length 1, and every triangle is positively oriented as seen from
+/// outside, exactly so. @pre no face of `other` is flipped there (FlippedSphericalFaces).
+StatusOr<ExactMap> MakeExactSphereMap(const Triangulation& input, const Triangulation& other,
+                                      const std::vector<Eigen::Vector3d>& position, Overlay overlay,
+                                      ExactMapRepair* repair);
 
 }  // namespace cirque

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,6 +16,8 @@
 
 namespace cirque {
 
+struct SolvedLayout;
+
 /// What is parameterized, and how.
 struct ParameterizeJob {
   const IntrinsicSurface& surface;
@@ -26,6 +29,7 @@ struct ParameterizeJob {
   const std::vector<Eigen::Vector3d>* position = nullptr;  ///< V; null: a metric without points
   const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
   bool targets_given = false;                              ///< the angle sums are the caller's own
+  const std::function<Status(SolvedLayout*)>* place_exact = nullptr;  ///< null: it stays
 };
 
 /// The given cut and what is needed beyond it to open all cones and leave disks, as many as the

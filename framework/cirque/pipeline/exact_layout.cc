@@ -101,16 +101,22 @@ Status MakeExact(const Job& job, Parameterization* result) {
       MeasureSurface(solved.intrinsic.triangulation, solved.intrinsic.lengths);
   Parameterization layout;
   if (Status s = LayOutSolved(job, solved, surface, *result, &layout); !s.ok()) return s;
-  StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
-  if (!overlay.ok()) return overlay.status().In("exact_limit");
   ExactMapSummary& summary = Fill(&result->certificate.exact_map);
   SummarizeLayout(layout, &summary);
+  SolvedLayout placed = {surface, solved.angles, std::move(layout.cut), std::move(layout.uv),
+                         summary};
+  if (job.place_exact && *job.place_exact) {
+    if (Status s = (*job.place_exact)(&placed); !s.ok()) return s;
+  }
+  StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
+  if (!overlay.ok()) return overlay.status().In("exact_limit");
   ExactMap map;
-  const SolvedMap laid_out = {job.surface.triangulation, surface, layout.cut, layout.uv};
+  const SolvedMap laid_out = {job.surface.triangulation, surface, placed.cut, placed.uv,
+                              placed.grid};
   if (Status s = DrawExactMap(laid_out, *overlay, &summary, &map); !s.ok()) return s;
   map.log_weight = LogWeights(solved, *overlay);
   Summarize(IsCirclePattern(solved)
-                ? DistortionOf(surface.triangulation, surface.lengths, layout.uv)
+                ? DistortionOf(surface.triangulation, surface.lengths, placed.uv)
                 : DistortionOf(job.surface, map),
             &summary);
   result->exact_map = std::move(map);
@@ -130,8 +136,10 @@ Status LayOutExactly(const Job& job, Parameterization* result) {
 Status DrawExactMap(const SolvedMap& of, const Overlay& overlay, ExactMapSummary* summary,
                     ExactMap* map) {
   ExactMapRepair repair;
+  const Triangulation& solved = of.solved.triangulation;
   StatusOr<ExactMap> drawn =
-      MakeExactMap(of.input, of.solved.triangulation, of.cut, of.uv, overlay, &repair);
+      of.on_sphere ? MakeExactSphereMap(of.input, solved, *of.on_sphere, overlay, &repair)
+                   : MakeExactMap(of.input, solved, of.cut, of.uv, overlay, &repair, of.grid);
   Summarize(of, overlay, repair, summary);
   if (!drawn.ok()) return drawn.status();
   *map = *std::move(drawn);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cirque/core/metric.h"
@@ -15,11 +16,23 @@ namespace cirque {
 
 struct Overlay;
 
+/// The layout of the triangulation that was solved on, before its exact map is drawn.
+struct SolvedLayout {
+  const IntrinsicSurface& surface;  ///< in the input's metric, of conformal equivalence flat; the
+                                    ///< vertices are the input's
+  const CornerAngles& angles;       ///< flat
+  Cut cut;                          ///< of it
+  CornerUv uv;
+  ExactMapSummary& summary;      ///< what the certificate says of it
+  std::optional<int> grid = {};  ///< of the places on the cut (MakeExactMap); nothing: none
+};
+
 /// Lays out the triangulation that was solved on (FlatSurface::exact) by itself, as CutAndPlace
 /// does the job's surface, its seams along its own edges, and fills in result's exact_map, which is
-/// linear on those triangles: no triangle of it is flipped, and no vertex was moved. Given cuts
-/// stay where their edges do. Errors: as CutAndPlace and MakeExactMap; kInvalidInput for an
-/// overlay above ParameterizeOptions::exact_limit.
+/// linear on those triangles: no triangle of it is flipped, and no vertex was moved but by the job's
+/// place_exact, which leaves none flipped. Given cuts stay where their edges do. Errors: as
+/// CutAndPlace, MakeExactMap and place_exact; kInvalidInput for an overlay above
+/// ParameterizeOptions::exact_limit.
 Status LayOutExactly(const ParameterizeJob& job, Parameterization* result);
 
 /// A map of a triangulation that an input was flipped to.
@@ -28,9 +41,12 @@ struct SolvedMap {
   const IntrinsicSurface& solved;  ///< that triangulation, in the input's metric
   const Cut& cut;                  ///< of it
   const CornerUv& uv;              ///< of it, no face flipped
+  std::optional<int> grid = {};    ///< of the places on the cut (MakeExactMap)
   /// Per face of the input the one of the surface that it was cut from, of so many; null: itself.
   const std::vector<Index>* part_of = nullptr;
   Index num_wholes = 0;
+  /// Where the vertices lie on the unit sphere, no face flipped (MakeExactSphereMap); null: `uv` says.
+  const std::vector<Eigen::Vector3d>* on_sphere = nullptr;
 };
 
 /// Draws it on the overlay (MakeExactMap), and fills in what the certificate says of the two.

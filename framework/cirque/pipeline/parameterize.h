@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,7 @@
 namespace cirque {
 
 struct PrescribedRotations;
+struct SolvedLayout;
 
 /// What to parameterize for.
 struct ParameterizeRequest {
@@ -30,6 +32,9 @@ struct ParameterizeRequest {
   /// Along loops of the surface's triangulation: measured, or met
   /// (intrinsic/loop_rotations.h); null: any.
   std::shared_ptr<const PrescribedRotations> rotations = {};
+  /// With options.exact: puts the layout of what was solved where its exact map is to be drawn
+  /// (pipeline/exact_layout.h); null: it stays.
+  std::function<Status(SolvedLayout*)> place_exact = {};
 };
 
 /// DefaultTargets (cone_stages.h) of a surface in space.

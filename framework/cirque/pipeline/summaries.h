@@ -210,6 +210,9 @@ struct ExactMapSummary {
   double exact_quasi_conformal_mean = kUnset, exact_quasi_conformal_max = kUnset;
   double exact_log_area_ratio_l2 = kUnset;
   double exact_layout_closure = kUnset, exact_seam_length_mismatch = kUnset;
+  /// Its own: of a strip, an annulus, a torus.
+  std::optional<double> exact_strip_period, exact_inner_radius, exact_modulus_real,
+      exact_modulus_imaginary;
 };
 
 /// Figures of the map (metrics/registry.h).
