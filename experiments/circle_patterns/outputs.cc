@@ -63,6 +63,21 @@ Status WriteLatLong(const std::string& path, const Input& input, const SurfaceMa
   return Status();
 }
 
+/// The input refined by the exact map.
+Status WriteExact(const CirclePatternsJob& job, const Input& input, const ExactMap& map,
+                  std::ostream& report) {
+  const ExactMesh exact = RefineByExactMap(input.file.soup, input.solved, map);
+  if (!job.exact.empty()) {
+    Status s = exact.sphere.empty() ? WriteMeshInGroups(job.exact, exact.mesh, exact.polygon)
+                                    : WriteExactSphere(job.exact, exact);
+    if (!s.ok()) return s;
+    report << fmt::format("wrote       {} ({} triangles)\n", job.exact, exact.polygon.size());
+  }
+  if (job.projective.empty()) return Status();
+  report << fmt::format("projective  {}, homogeneous texture coordinates\n", job.projective);
+  return WriteHomogeneousObj(job.projective, exact.mesh, HomogeneousTexture(exact), exact.polygon);
+}
+
 Status WriteSphere(const CirclePatternsJob& job, const Input& input, const SurfaceMap& map,
                    std::ostream& report) {
   const PolygonSoup& soup = input.file.soup;
@@ -71,23 +86,13 @@ Status WriteSphere(const CirclePatternsJob& job, const Input& input, const Surfa
                              ? WriteFileAtomically(job.output, SpherePly(soup, surface, map))
                              : WriteMesh(job.output, SphereMesh(soup, surface, map.position));
   if (!written.ok()) return written;
+  if (map.exact_map) {
+    if (Status s = WriteExact(job, input, *map.exact_map, report); !s.ok()) return s;
+  }
   if (Status s = WriteLatLong(job.latlong, input, map, report); !s.ok()) return s;
   if (!WantsPictures(job)) return Status();
   return WritePictures(job.view, job.picture, TitleOf(job), MakeSphereMap(surface, map.position),
                        map.certificate, report);
-}
-
-/// The input refined by the exact map.
-Status WriteExact(const CirclePatternsJob& job, const Input& input, const ExactMap& map,
-                  std::ostream& report) {
-  const ExactMesh exact = RefineByExactMap(input.file.soup, input.solved, map);
-  if (!job.exact.empty()) {
-    if (Status s = WriteMeshInGroups(job.exact, exact.mesh, exact.polygon); !s.ok()) return s;
-    report << fmt::format("wrote       {} ({} triangles)\n", job.exact, exact.polygon.size());
-  }
-  if (job.projective.empty()) return Status();
-  report << fmt::format("projective  {}, homogeneous texture coordinates\n", job.projective);
-  return WriteHomogeneousObj(job.projective, exact.mesh, HomogeneousTexture(exact), exact.polygon);
 }
 
 /// What a texture on the map may repeat by; none: it has seams.

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "cirque/core/atomic_file.h"
+#include "cirque/io/io.h"
 #include "cirque/io/text_writer.h"
 
 namespace cirque {
@@ -13,6 +15,44 @@ constexpr char kHeaderOfVertices[] =
 constexpr char kHeaderOfFaces[] =
     "\nproperty list uchar int vertex_indices\nproperty double quasi_conformal"
     "\nproperty double angle_distortion\nend_header\n";
+constexpr char kHeaderOfPieces[] =
+    "\nproperty list uchar int vertex_indices\nproperty int input_face\nend_header\n";
+
+/// The head of a PLY, and its points on the surface and on the sphere.
+void WritePoints(const std::vector<Eigen::Vector3d>& on_surface,
+                 const std::vector<Eigen::Vector3d>& on_sphere, Index faces, const char* of_faces,
+                 TextWriter* out) {
+  out->Text("ply\nformat ascii 1.0\nelement vertex ");
+  out->Number(on_surface.size());
+  out->Text(kHeaderOfVertices);
+  out->Number(faces);
+  out->Text(of_faces);
+  for (std::size_t v = 0; v < on_surface.size(); ++v) {
+    Eigen::Matrix<double, 6, 1> both;
+    both << on_surface[v], on_sphere[v];
+    out->PointLine(both);
+  }
+}
+
+void WriteTriangle(const Index* corner, TextWriter* out) {
+  out->Text("3");
+  for (int k = 0; k < 3; ++k) {
+    out->Text(" ");
+    out->Number(corner[k]);
+  }
+  out->Text(" ");
+}
+
+std::string ExactSpherePly(const ExactMesh& exact) {
+  TextWriter out;
+  WritePoints(exact.mesh.position, exact.sphere, exact.mesh.num_polygons(), kHeaderOfPieces, &out);
+  for (Index p = 0; p < exact.mesh.num_polygons(); ++p) {
+    WriteTriangle(&exact.mesh.corner[3 * p], &out);
+    out.Number(exact.polygon[p]);
+    out.Text("\n");
+  }
+  return std::move(out).Take();
+}
 
 }  // namespace
 
@@ -32,26 +72,22 @@ PolygonSoup SphereMesh(const PolygonSoup& input, const Surface& surface,
 std::string SpherePly(const PolygonSoup& input, const Surface& surface, const SurfaceMap& map) {
   const PolygonSoup image = SphereMesh(input, surface, map.position);
   TextWriter out;
-  out.Text("ply\nformat ascii 1.0\nelement vertex ");
-  out.Number(input.position.size());
-  out.Text(kHeaderOfVertices);
-  out.Number(image.num_polygons());
-  out.Text(kHeaderOfFaces);
-  for (std::size_t v = 0; v < input.position.size(); ++v) {
-    Eigen::Matrix<double, 6, 1> both;
-    both << input.position[v], image.position[v];
-    out.PointLine(both);
-  }
+  WritePoints(input.position, image.position, image.num_polygons(), kHeaderOfFaces, &out);
   for (Index f = 0; f < image.num_polygons(); ++f) {
-    out.Text("3");
-    for (Index c = 3 * f; c < 3 * f + 3; ++c) {
-      out.Text(" ");
-      out.Number(image.corner[c]);
-    }
-    out.Text(" ");
+    WriteTriangle(&image.corner[3 * f], &out);
     out.PointLine(Eigen::Vector2d(map.quasi_conformal[f], map.angle_distortion[f]));
   }
   return std::move(out).Take();
+}
+
+Status WriteExactSphere(const std::string& path, const ExactMesh& exact) {
+  const std::string extension = MeshExtension(path);
+  if (extension == "ply") return WriteFileAtomically(path, ExactSpherePly(exact));
+  PolygonSoup image = exact.mesh;
+  image.position = exact.sphere;
+  if (extension != "obj") return WriteMesh(path, image);
+  image.corner_texture = image.corner;
+  return WriteHomogeneousObj(path, image, exact.mesh.position, exact.polygon);
 }
 
 }  // namespace cirque

@@ -57,7 +57,8 @@ DEFINE_int32(max_patches, -1, "a map of more patches than this is invalid; -1: a
 DEFINE_int32(max_seam_edges, -1, "a map with more seam edges than this is invalid; -1: any number");
 DEFINE_bool(exact, false,
             "OUT is an .obj that circle_patterns --exact wrote: judged as a refinement of IN, its "
-            "groups face_N being parts of IN's faces, then as the map of itself");
+            "groups face_N being parts of IN's faces, then as the map of itself; with "
+            "--domain=sphere OUT's texture coordinates say where its points lie on IN");
 DEFINE_double(radius_tolerance, 1e-12, "sphere: how far a point may be off the unit sphere");
 
 namespace cirque::verify {
@@ -153,9 +154,6 @@ Status Measure(const std::vector<MeasureFile>& files, const PolygonSoup& in, Map
 }
 
 int VerifyOnSphere(const PolygonSoup& in, const PolygonSoup& out) {
-  if (!(FLAGS_radius_tolerance >= 0)) {
-    return Complain(Status::InvalidInput("radius_tolerance: a number >= 0 is needed"));
-  }
   const StatusOr<SphereReport> report = VerifySphereMap(in, out, {FLAGS_radius_tolerance});
   if (!report.ok()) return Complain(report.status());
   return Conclude(*report, report->valid() ? kValid : kInvalid);
@@ -183,6 +181,31 @@ StatusOr<VerifyOptions> OptionsOfFlags(const PolygonSoup& in) {
   return options;
 }
 
+/// Puts what was found of the refinement before what was found of its map.
+template <class Report>
+int ConcludeExact(const RefinementReport& refinement, Report* report) {
+  report->errors.insert(report->errors.begin(), refinement.errors.begin(), refinement.errors.end());
+  if (FLAGS_json != "-") fmt::print("{}", ToText(refinement));
+  return Conclude(*report, report->valid() ? kValid : kInvalid);
+}
+
+/// That of a map to the sphere, whose texture coordinates say where its points lie on IN.
+int VerifyExactOnSphere(const PolygonSoup& in, const MeshFile& out,
+                        const std::vector<Index>& groups) {
+  const auto on_in = ReadTextureInSpace(out.text, out.soup);
+  if (!on_in.ok()) return Complain(on_in.status());
+  PolygonSoup refined = out.soup;
+  refined.texture.clear();
+  refined.corner_texture.clear();
+  PolygonSoup on_sphere = refined;
+  refined.position = *on_in;
+  const StatusOr<RefinementReport> refinement = CheckRefinement(in, refined, groups);
+  if (!refinement.ok()) return Complain(refinement.status());
+  StatusOr<SphereReport> report = VerifySphereMap(refined, on_sphere, {FLAGS_radius_tolerance});
+  if (!report.ok()) return Complain(report.status());
+  return ConcludeExact(*refinement, &*report);
+}
+
 /// A map of a refinement of IN: whether it refines it, and whether it is a map.
 int VerifyExact(const std::vector<std::string>& files) {
   const StatusOr<PolygonSoup> in = Read(files[0]);
@@ -191,6 +214,7 @@ int VerifyExact(const std::vector<std::string>& files) {
   if (!out.ok()) return Complain(out.status());
   const StatusOr<std::vector<Index>> groups = ReadGroups(out->text);
   if (!groups.ok()) return Complain(groups.status().In(files[1]));
+  if (FLAGS_domain == "sphere") return VerifyExactOnSphere(*in, *out, *groups);
   const StatusOr<RefinementReport> refinement = CheckRefinement(*in, out->soup, *groups);
   if (!refinement.ok()) return Complain(refinement.status().In(files[1]));
   PolygonSoup refined = out->soup;
@@ -200,10 +224,7 @@ int VerifyExact(const std::vector<std::string>& files) {
   if (!options.ok()) return Complain(options.status());
   StatusOr<MapReport> report = VerifyMap(refined, out->soup, *options);
   if (!report.ok()) return Complain(report.status());
-  report->errors.insert(report->errors.begin(), refinement->errors.begin(),
-                        refinement->errors.end());
-  if (FLAGS_json != "-") fmt::print("{}", ToText(*refinement));
-  return Conclude(*report, report->valid() ? kValid : kInvalid);
+  return ConcludeExact(*refinement, &*report);
 }
 
 int VerifyFiles(const std::vector<std::string>& files) {
@@ -230,6 +251,9 @@ int Main(int argc, char** argv) {
   const std::vector<std::string> domains = {"plane", "disk", "round_holes", "sphere"};
   if (std::find(domains.begin(), domains.end(), FLAGS_domain) == domains.end()) {
     return Complain(Status::InvalidInput(UnknownName("domain", FLAGS_domain, domains)));
+  }
+  if (!(FLAGS_radius_tolerance >= 0)) {
+    return Complain(Status::InvalidInput("radius_tolerance: a number >= 0 is needed"));
   }
   const bool certificate = !FLAGS_infeasible.empty();
   if (files->size() != (certificate ? 1u : 2u)) {

@@ -23,7 +23,8 @@ void ExpectExactMapIsAccepted(const Surface& surface, const SurfaceMap& map) {
   PolygonSoup bare = exact.mesh;
   bare.texture.clear();
   bare.corner_texture.clear();
-  const auto verdict = JudgeMap(bare, exact.mesh);
+  const auto verdict =
+      exact.sphere.empty() ? JudgeMap(bare, exact.mesh) : JudgeSphereMap(bare, exact.sphere);
   ASSERT_TRUE(verdict.ok()) << verdict.status().message();
   EXPECT_TRUE(verdict->valid) << verdict->verdict;
 }

@@ -1,6 +1,9 @@
 // The programs on maps to the sphere, as a user runs them.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,6 +79,74 @@ TEST_F(SphereProgramsTest, PlyHoldsBothPositionsAndTheDistortion) {
     EXPECT_GT(angle, 0);
   }
   EXPECT_TRUE(file.good());
+}
+
+/// The n-th line that begins so, from 0, replaced by another.
+std::string WithLine(std::string text, const std::string& begin, int n, const std::string& other) {
+  std::size_t at = text.find(begin);
+  for (int i = 0; i < n; ++i) at = text.find("\n" + begin, at) + 1;
+  return text.replace(at, text.find('\n', at) - at, other);
+}
+
+TEST_F(SphereProgramsTest, AnExactMapIsVerifiedAndPlantedErrorsAreNot) {
+  PolygonSoup soup = *GenerateMesh("blob", {400, 1});
+  for (Eigen::Vector3d& x : soup.position) x.y() = 2 * x.y() + 0.5 * x.x();
+  const std::string in = Write("in.obj", soup), exact = folder_.Path("exact.obj");
+  const ProgramResult mapped = Map(in, folder_.Path("out.obj"), "--exact=" + exact);
+  ASSERT_EQ(mapped.exit_status, 0) << mapped.output;
+  EXPECT_THAT(mapped.output, HasSubstr("exact.obj ("));
+  const std::string verify = "verify_map --domain=sphere --exact " + in + " ";
+  const ProgramResult verified = RunProgram(verify + exact);
+  EXPECT_EQ(verified.exit_status, 0) << verified.output;
+  EXPECT_THAT(verified.output, HasSubstr("pieces of "));
+  EXPECT_THAT(verified.output, EndsWith("verdict: valid (injective)\n"));
+  std::ifstream file(exact);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_GT(ReadMesh(exact)->num_polygons(), soup.num_polygons() + 20);
+  const std::string broken = folder_.Path("broken.obj");
+  const auto last = static_cast<int>(ReadMesh(exact)->position.size()) - 1;  // a crossing
+  for (const auto& [planted, status, word] :
+       {std::tuple(WithLine(text, "v ", last, "v 0 0 1"), 1, "flipped triangle"),
+        {WithLine(text, "v ", last, "v 0 0 1.001"), 1, "not on the unit sphere"},
+        {WithLine(text, "vt ", last, "vt 0 0 0"), 1, "faces whose edges have points beside them"},
+        {WithLine(text, "vt ", 0, "vt 0 0 0"), 1, "vertices that are not where IN has them"},
+        {WithLine(text, "g face_", 1, "g face_1"), 1, "do not have their border"},
+        {WithLine(text, "vt ", 3, "vt 0 0"), 2, "three numbers"},
+        {WithLine(text, "g face_", 0, "g other"), 2, "face_N"}}) {
+    std::ofstream(broken) << planted;
+    const ProgramResult judged = RunProgram(verify + broken);
+    EXPECT_EQ(judged.exit_status, status) << word << judged.output;
+    EXPECT_THAT(judged.output, HasSubstr(word));
+  }
+}
+
+TEST_F(SphereProgramsTest, AnExactPlyHoldsBothPositionsAndTheFacesOfTheInput) {
+  PolygonSoup soup = *GenerateMesh("blob", {300, 2});
+  for (Eigen::Vector3d& x : soup.position) x.y() *= 2.5;
+  const std::string in = Write("in.obj", soup), exact = folder_.Path("exact.ply");
+  ASSERT_EQ(Map(in, folder_.Path("out.obj"), "--exact=" + exact).exit_status, 0);
+  const PolygonSoup refined = *ReadMesh(exact);
+  ASSERT_GT(refined.position.size(), soup.position.size());
+  for (std::size_t v = 0; v < soup.position.size(); ++v) {
+    EXPECT_EQ(refined.position[v], soup.position[v]);
+  }
+  std::ifstream file(exact);
+  std::string line;
+  while (line != "end_header") ASSERT_TRUE(std::getline(file, line));
+  for (std::size_t v = 0; v < refined.position.size(); ++v) {
+    Eigen::Vector3d x, s;
+    file >> x[0] >> x[1] >> x[2] >> s[0] >> s[1] >> s[2];
+    EXPECT_NEAR(s.norm(), 1, 1e-15);
+  }
+  int face = 0, before = 0;
+  for (Index f = 0; f < refined.num_polygons(); ++f) {
+    int corners = 0, a = 0, b = 0, c = 0;
+    before = face;
+    file >> corners >> a >> b >> c >> face;
+    EXPECT_TRUE(face == before || face == before + 1);
+  }
+  EXPECT_TRUE(file.good());
+  EXPECT_EQ(face, soup.num_polygons() - 1);
 }
 
 TEST_F(SphereProgramsTest, LatitudeAndLongitudeAreTexture) {

@@ -353,7 +353,18 @@ def test_an_exact_map_refines_the_mesh(square):
     assert set(in_disk.face_of_input) == set(range(len(F)))
     assert np.hypot(*in_disk.uv.T).max() <= 1 + 1e-12
     with pytest.raises(cirque.InvalidInputError, match="exact"):
-        cirque.flatten(V, F, domain="annulus", exact=True)
+        cirque.flatten(V, F, domain="round_holes", exact=True)
+
+
+def test_an_exact_map_to_the_sphere_has_points_of_it(closed):
+    V, F = closed
+    stretched = V * [1, 1, 3]
+    exact = cirque.sphere(stretched, F, exact=True).exact
+    assert len(exact.uv) == 0 and len(exact.position) == len(exact.vertices) > len(V)
+    assert np.allclose(np.linalg.norm(exact.position, axis=1), 1, atol=1e-15)
+    assert (np.linalg.det(exact.position[exact.faces]) > 0).all()
+    assert cirque.verify(exact.vertices, exact.faces, exact.position)
+    assert cirque.flatten(stretched, F, exact=True).exact.position is None
 
 
 def test_a_texture_moves_from_one_map_to_another(square):

@@ -1,5 +1,8 @@
 #include "cirque/verify/refinement_check.h"
 
+#include <string>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +100,23 @@ TEST(RefinementCheck, ReadsTheGroupsOfAnObj) {
   EXPECT_FALSE(ReadGroups("f 1 2 3\n").ok());
   EXPECT_FALSE(ReadGroups("g default\nf 1 2 3\n").ok());
   EXPECT_FALSE(ReadGroups("g face_0\nf 1 2 3\n").ok());
+}
+
+TEST(RefinementCheck, ReadsWhereThePointsOfASphereLieOnTheMesh) {
+  PolygonSoup mesh = Square();
+  mesh.corner_texture = mesh.corner;
+  const std::string good = "v 1 0 0\nvt 0 0 0\nvt 1 0 -2.5e-1\nvt 1 1 0\nvt 0 1 0\n";
+  const auto points = ReadTextureInSpace(good, mesh);
+  ASSERT_TRUE(points.ok()) << points.status().message();
+  ASSERT_EQ(points->size(), 4u);
+  EXPECT_EQ((*points)[1], Eigen::Vector3d(1, 0, -0.25));
+  EXPECT_THAT(ReadTextureInSpace("vt 0 0\n" + good, mesh).status().message(),
+              HasSubstr("three numbers"));
+  EXPECT_THAT(ReadTextureInSpace("vt 0 0 0\n" + good, mesh).status().message(),
+              HasSubstr("5 lines 'vt' for 4 vertices"));
+  EXPECT_FALSE(ReadTextureInSpace("vt 0 0 nan\nvt 1 0 0\nvt 1 1 0\nvt 0 1 0\n", mesh).ok());
+  std::swap(mesh.corner_texture[0], mesh.corner_texture[1]);
+  EXPECT_FALSE(ReadTextureInSpace(good, mesh).ok());
 }
 
 TEST(RefinementCheck, RefusesNumbersThatDoNotFit) {

@@ -64,6 +64,9 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
 /// proof; by Rivin's theorem no other vertex would do, save for the margin epsilon);
 /// kUnrepresentable: limbs too long for doubles on one sphere, before any solve where the linear
 /// model predicts it by far (PredictedLogRange); kNotConverged.
+/// The exact map is that of a pole's first solve, before any edge was locked, normalised and refined by
+/// itself (MakeExactOnSphere). Where the map at the vertices flips triangles, or there is none, they are
+/// where the exact one has them.
 /// Source of the reduction to the plane: L. Kharevych, thesis (2006), with the link kept convex.
 Status MapToSphere(const Surface& surface, const MapRequest& request, const SolveControl& control,
                    SurfaceMap* map);

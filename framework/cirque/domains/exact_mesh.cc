@@ -49,6 +49,7 @@ class Refiner {
   Refiner(const PolygonSoup& input, const Surface& surface, const ExactMap& map)
       : surface_(surface), map_(map), point_(map.point.size()), uv_(map.uv.size()) {
     result_.mesh.position = input.position;
+    if (IsOnSphere()) result_.sphere.assign(input.position.size(), Eigen::Vector3d::Zero());
   }
 
   ExactMesh Run() && {
@@ -69,10 +70,17 @@ class Refiner {
   }
 
  private:
+  bool IsOnSphere() const { return !map_.position.empty(); }
+
   void AddTriangle(Index t) {
     PolygonSoup& mesh = result_.mesh;
     for (Index c = 3 * t; c < 3 * t + 3; ++c) {
       mesh.corner.push_back(PointOf(map_.corner[c]));
+      if (IsOnSphere()) {
+        result_.sphere.resize(mesh.position.size());
+        result_.sphere[mesh.corner.back()] = map_.position[map_.corner[c]];
+        continue;
+      }
       const auto [uv, is_new] = uv_.Of(map_.corner_uv[c], static_cast<Index>(mesh.texture.size()));
       if (is_new) {
         mesh.texture.push_back(map_.uv[map_.corner_uv[c]]);

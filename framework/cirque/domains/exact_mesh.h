@@ -18,6 +18,9 @@ struct ExactMesh {
   /// between them, sum x_k w_k uv_k / sum x_k w_k, largest 1 in a component; empty: a circle pattern,
   /// whose map is linear. (Springborn, Schroeder, Pinkall 2008; ideal_geodesic.h.)
   std::vector<double> weight = {};
+  /// Of a map to the unit sphere: where it has each of mesh.position, which then have no texture; 0
+  /// where no triangle is.
+  std::vector<Eigen::Vector3d> sphere = {};
 };
 
 /// The homogeneous texture coordinates (w u, w v, w), which rasterisers interpolate linearly and

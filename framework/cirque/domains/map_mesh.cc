@@ -142,7 +142,7 @@ class MeshMapper {
             ArrangeAtlas(FrameOf(options_), {PlanarPiece(*result_.surface, map.cut, &map.uv)});
         Fill(&map.certificate.layout).area_used = atlas.area_used;
       }
-      if (map.exact_map) ArrangeExact({{piece.Solved(), &*map.exact_map}});
+      if (map.exact_map && !map.IsOnSphere()) ArrangeExact({{piece.Solved(), &*map.exact_map}});
       result_.solved_surface =
           piece.filled ? std::make_shared<const Surface>(std::move(piece.filled->surface))
                        : result_.surface;

@@ -9,6 +9,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/text.h"
 #include "cirque/domains/built_in_domains.h"
+#include "cirque/domains/exact_sphere.h"
 #include "cirque/domains/sphere_normalization.h"
 #include "cirque/domains/sphere_pole.h"
 #include "cirque/domains/sphere_refinement.h"
@@ -94,6 +95,8 @@ class SphereMapping {
         summary_(Fill(&map->certificate.sphere)) {
     in_plane_.triangulation =
         SolvedTriangulation::kInput;  // flips are made here, on the closed surface
+    in_plane_.exact = false;          // likewise
+    wants_exact_ = parameterize_options.exact;
     flips_ = parameterize_options.triangulation != SolvedTriangulation::kInput;
   }
 
@@ -134,6 +137,29 @@ class SphereMapping {
   Status TryPole(Index pole, const IntrinsicTriangulation& delaunay) {
     pole_ = pole;
     summary_.pole_vertex = surface_.soup_vertex[pole];
+    map_.exact_map.reset();
+    first_ = {};
+    const Status status = TryPoleAtVertices(delaunay);
+    const bool beside = status.code() != StatusCode::kCancelled && map_.exact_map;
+    return status.ok() || !beside ? status : TakeExactPlaces();
+  }
+
+  /// The vertices where the exact map has them, though their own map flips triangles or there is none;
+  /// what the certificate says of the solve is the first one's.
+  Status TakeExactPlaces() {
+    map_.position = PlacesOfVertices(*map_.exact_map, t_.num_vertices);
+    summary_ = *first_.sphere;
+    map_.certificate.angle_fit = first_.angle_fit;
+    map_.certificate.radii = first_.radii;
+    map_.certificate.triangulation = first_.triangulation;
+    map_.certificate.map_refinement.reset();
+    map_.certificate.infeasibility = {};
+    flipped_ = FlippedSphericalFaces(t_, map_.position);
+    Fill(&map_.certificate.layout).flipped_triangles = static_cast<int>(flipped_.size());
+    return Status();
+  }
+
+  Status TryPoleAtVertices(const IntrinsicTriangulation& delaunay) {
     if (flips_) {
       const auto flipped = TryLockingFlipped(delaunay);
       if (flipped.ok() && flipped->empty()) return Status();
@@ -182,7 +208,23 @@ class SphereMapping {
     if (IsBeyondDoubles()) return BeyondDoubles();
     if (!status.ok()) return status;
     summary_.delaunay_margin = SphericalDelaunayMargin(plane, flat.on_input.angles.value);
-    return Timed(&seconds_.layout, [&] { return LayOut(*punctured, flat.on_input); });
+    PlaneWithPole layout;
+    const auto lay_out = [&] { return LayOut(*punctured, flat.on_input, &layout); };
+    if (Status s = Timed(&seconds_.layout, lay_out); !s.ok()) return s;
+    if (wants_exact_ && !map_.exact_map) {
+      control_.BeginStage("exact map");
+      const Status made = Timed(&seconds_.exact, [&] {
+        return MakeExactOnSphere(surface_, intrinsic, options_, in_plane_, layout,
+                                 control_.cancelled, &map_);
+      });
+      if (!made.ok()) return made;
+      map_.certificate.exact_map->exact_layout_closure = map_.certificate.layout->layout_closure;
+    }
+    const bool is_first = map_.exact_map && !first_.sphere;
+    const Status placed =
+        Timed(&seconds_.layout, [&] { return NormalizeAndRefine(std::move(layout)); });
+    if (is_first) first_ = map_.certificate;
+    return placed;
   }
 
   /// Lengths whose angles the flat ones are fitted to.
@@ -205,19 +247,22 @@ class SphereMapping {
     return status;
   }
 
-  Status LayOut(const PuncturedSurface& punctured, const InputChart& flat) {
+  Status LayOut(const PuncturedSurface& punctured, const InputChart& flat, PlaneWithPole* plane) {
     const Triangulation& t = punctured.triangulation;
     control_.BeginStage("layout");
     const StatusOr<PlanarLayout> laid_out = LayOutBy(in_plane_.layout, t, flat);
     if (!laid_out.ok()) return laid_out.status();
     const PlanarLayout& layout = *laid_out;
     Fill(&map_.certificate.layout).layout_closure = layout.closure;
-    PlaneWithPole plane;
-    plane.pole = punctured.pole;
-    plane.position.assign(t_.num_vertices, Eigen::Vector2d::Zero());
+    plane->pole = punctured.pole;
+    plane->position.assign(t_.num_vertices, Eigen::Vector2d::Zero());
     for (Index h = 0; h < t.num_halfedges(); ++h) {
-      plane.position[punctured.vertex[t.vertex[h]]] = layout.uv.value[h];
+      plane->position[punctured.vertex[t.vertex[h]]] = layout.uv.value[h];
     }
+    return Status();
+  }
+
+  Status NormalizeAndRefine(PlaneWithPole plane) {
     const Status status = Normalize(plane);
     const bool refine = status.ok() && flipped_.empty() && in_plane_.refine_map != "none";
     return refine ? RefineThenNormalize(std::move(plane)) : status;
@@ -241,11 +286,7 @@ class SphereMapping {
     chart_ = normalized->chart;
     summary_.normalization_iterations = normalized->iterations;
     summary_.normalization_residual = normalized->residual;
-    map_.position = LiftAll(plane, normalized->chart);
-    if (options_.principal_axes) {
-      const Eigen::Matrix3d axes = PrincipalAxes(map_.position, VertexAreas(t_, surface_.position));
-      for (Eigen::Vector3d& x : map_.position) x = (axes * x).normalized();
-    }
+    map_.position = LiftAll(surface_, plane, normalized->chart, options_.principal_axes);
     Eigen::Vector3d mass = Eigen::Vector3d::Zero();
     for (Index v = 0; v < t_.num_vertices; ++v) mass += normalized->weights[v] * map_.position[v];
     summary_.centre_of_mass = mass.norm();
@@ -281,7 +322,7 @@ class SphereMapping {
   const EdgeLengths& lengths_;
   const DomainOptions& options_;
   ParameterizeOptions in_plane_;
-  bool flips_ = true;
+  bool flips_ = true, wants_exact_ = false;
   const SolveControl& control_;
   SurfaceMap& map_;
   StageSeconds& seconds_;
@@ -289,6 +330,7 @@ class SphereMapping {
   double log_radius_range_ = 0;
   SphereChart chart_;  ///< of the last normalisation
   Index pole_ = kNone;
+  Certificate first_;           ///< of the solve that the exact map is of
   std::vector<Index> flipped_;  ///< of the input's faces on the sphere
   bool normalized_ = true;      ///< false: no other pole or triangulation would help
 };

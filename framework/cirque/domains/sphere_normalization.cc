@@ -240,4 +240,13 @@ Matrix3d PrincipalAxes(const std::vector<Vector3d>& points, const std::vector<do
   return axes;
 }
 
+std::vector<Vector3d> LiftAll(const Surface& surface, const PlaneWithPole& plane,
+                              const SphereChart& chart, bool principal_axes) {
+  std::vector<Vector3d> points = LiftAll(plane, chart);
+  if (!principal_axes) return points;
+  const Matrix3d axes = PrincipalAxes(points, VertexAreas(surface.triangulation, surface.position));
+  for (Vector3d& x : points) x = (axes * x).normalized();
+  return points;
+}
+
 }  // namespace cirque

@@ -44,6 +44,10 @@ struct NormalizedChart {
 StatusOr<NormalizedChart> NormalizeChart(const Surface& surface, const PlaneWithPole& plane,
                                          const std::string& normalization);
 
+/// LiftAll, with `principal_axes` turned as described at DomainOptions.
+std::vector<Eigen::Vector3d> LiftAll(const Surface& surface, const PlaneWithPole& plane,
+                                     const SphereChart& chart, bool principal_axes);
+
 /// The rotation to the principal axes described at DomainOptions.
 Eigen::Matrix3d PrincipalAxes(const std::vector<Eigen::Vector3d>& points,
                               const std::vector<double>& weights);

@@ -160,7 +160,9 @@ void MeasureSphereMap(const Surface& surface, const EdgeLengths& source, Surface
   certificate.sphere->angle_distortion_mean = differences.mean();
   certificate.sphere->angle_distortion_max = differences.maxCoeff();
   certificate.sphere->degree = SphericalDegree(t, map->position);
-  certificate.overlap = "injective";  // no flips, and the degree of a sphere's layout is 1
+  // Without flips: the degree of a sphere's layout is 1. Some there may be beside an exact map.
+  const bool flips = certificate.layout && certificate.layout->flipped_triangles > 0;
+  certificate.overlap = flips ? "unknown" : "injective";
 }
 
 }  // namespace cirque

@@ -63,8 +63,8 @@ Status WriteMesh(const std::string& path, const PolygonSoup& mesh);
 Status WriteMeshInGroups(const std::string& path, const PolygonSoup& mesh,
                          const std::vector<Index>& group);
 
-/// WriteMeshInGroups to an .obj with homogeneous texture coordinates instead of the mesh's own
-/// (FormatHomogeneousObj), one for each of them.
+/// WriteMeshInGroups to an .obj with texture coordinates of three numbers instead of the mesh's own, one
+/// for each of them: homogeneous (FormatHomogeneousObj), or points of space.
 Status WriteHomogeneousObj(const std::string& path, const PolygonSoup& mesh,
                            const std::vector<Eigen::Vector3d>& texture,
                            const std::vector<Index>& group);

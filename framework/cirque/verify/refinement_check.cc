@@ -215,6 +215,34 @@ StatusOr<std::vector<Index>> ReadGroups(std::string_view obj) {
   return groups;
 }
 
+StatusOr<std::vector<Point3>> ReadTextureInSpace(std::string_view obj,
+                                                 const PolygonSoup& obj_mesh) {
+  std::vector<Point3> points;
+  while (!obj.empty()) {
+    const std::string_view line = obj.substr(0, obj.find('\n'));
+    obj.remove_prefix(std::min(obj.size(), line.size() + 1));
+    if (!line.starts_with("vt ")) continue;
+    const char *at = line.data() + 3, *const end = line.data() + line.size();
+    Point3& point = points.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      while (at < end && *at == ' ') ++at;
+      const auto read = std::from_chars(at, end, point[k]);
+      if (read.ec != std::errc() || !std::isfinite(point[k])) {
+        return Status::InvalidInput(
+            fmt::format("'{}': an exact map to the sphere has three numbers there", line));
+      }
+      at = read.ptr;
+    }
+  }
+  if (points.size() != obj_mesh.position.size() || obj_mesh.corner_texture != obj_mesh.corner) {
+    return Status::InvalidInput(fmt::format(
+        "{} lines 'vt' for {} vertices; an exact map to the sphere says so for each, by "
+        "the same number, where it lies on IN",
+        points.size(), obj_mesh.position.size()));
+  }
+  return points;
+}
+
 StatusOr<RefinementReport> CheckRefinement(const PolygonSoup& in, const PolygonSoup& out,
                                            const std::vector<Index>& group) {
   if (static_cast<Index>(group.size()) != out.num_polygons()) {

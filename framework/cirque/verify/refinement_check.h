@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "cirque/core/status.h"
 #include "cirque/core/types.h"
 #include "cirque/io/polygon_soup.h"
@@ -29,6 +31,12 @@ struct RefinementReport {
 /// The face of IN that each face of an OBJ is a part of, by its lines `g face_N`, N from 1. Error
 /// (invalid input): a face before the first of them, or another group.
 StatusOr<std::vector<Index>> ReadGroups(std::string_view obj);
+
+/// The points of space that the lines `vt x y z` of an OBJ give its vertices, in their order. Error
+/// (invalid input): a line of other numbers; a corner of `obj_mesh` whose numbers of point and texture
+/// differ; no such line for every vertex.
+StatusOr<std::vector<Eigen::Vector3d>> ReadTextureInSpace(std::string_view obj,
+                                                          const PolygonSoup& obj_mesh);
 
 /// Whether OUT, whose face g is a part of IN's face group[g], refines IN: its first points are
 /// IN's; the pieces of every face fill it, none turned over, and their areas add up to its own

@@ -78,6 +78,7 @@ class ExactMap(typing.NamedTuple):
     f_uv: np.ndarray           # T x 3: rows of uv at the corners
     face_of_input: np.ndarray  # T: in which face of the input each triangle lies
     weight: np.ndarray = None  # M, of pattern="equivalence": w of the homogeneous (w u, w v, w)
+    position: np.ndarray = None  # N x 3, of a map to the sphere: points of it; uv, f_uv are empty
 
 
 class Map:
@@ -120,7 +121,8 @@ class Map:
             return None
         return ExactMap(made.exact_vertices, made.exact_faces.reshape(-1, 3), made.exact_uv,
                         made.exact_f_uv.reshape(-1, 3), made.exact_face_of_input,
-                        made.exact_weight if len(made.exact_weight) else None)
+                        made.exact_weight if len(made.exact_weight) else None,
+                        made.exact_position if len(made.exact_position) else None)
 
     @property
     def certificate(self):

@@ -274,6 +274,9 @@ void BindMeshes(py::module_* module) {
       .def_property_readonly("exact_face_of_input", view([](const MeshMap& m, py::handle o) {
                                return ViewOf(m.exact->polygon, o);
                              }))
+      .def_property_readonly("exact_position", view([](const MeshMap& m, py::handle o) {
+                               return RowsOf(m.exact->sphere, o);
+                             }))
       .def_property_readonly("exact_weight", view([](const MeshMap& m, py::handle o) {
                                return ViewOf(m.exact->weight, o);
                              }))
