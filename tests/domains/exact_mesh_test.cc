@@ -144,9 +144,9 @@ TEST(ExactMesh, IsRefusedAboveItsLimitAndByOtherDomains) {
   MapRequest small = ExactRequest();
   small.options.exact_limit = 100;
   EXPECT_THAT(MapSurface(terrain, small).status().message(), testing::HasSubstr("exact_limit"));
-  MapRequest holes = ExactRequest();
-  holes.domain = "round_holes";
-  EXPECT_THAT(MapSurface(terrain, holes).status().message(), testing::HasSubstr("takes no exact"));
+  MapRequest curve = ExactRequest();
+  curve.domain = "curve";
+  EXPECT_THAT(MapSurface(terrain, curve).status().message(), testing::HasSubstr("takes no exact"));
 }
 
 MapRequest ByEquivalence() {

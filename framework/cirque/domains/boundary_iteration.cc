@@ -13,6 +13,19 @@ constexpr double kGoodEnough = 1e-7;
 constexpr double kLargestChange = 0.5;  ///< of a log length in a round
 constexpr int kWithoutGain = 6;         ///< rounds, at rounding
 
+/// Of the flat metric; of the boundary those of what the exact map is of, where there is one.
+EdgeLengths LengthsThatCount(const Surface& surface, const FlatSurface& flat) {
+  EdgeLengths lengths = flat.on_input.lengths;
+  if (!flat.exact) return lengths;
+  const Triangulation& t = surface.triangulation;
+  const std::vector<Index>& now = flat.exact->intrinsic.edge_of_input;
+  for (Index e = 0; e < t.num_edges(); ++e) {
+    if (!t.IsBoundaryEdge(e)) continue;
+    lengths.value[e] = flat.exact->lengths.value[now.empty() ? e : now[e]];
+  }
+  return lengths;
+}
+
 }  // namespace
 
 BoundaryIteration::BoundaryIteration(const Surface& surface, BoundaryRule rule,
@@ -57,7 +70,7 @@ Status BoundaryIteration::RunFromHere(SurfaceMap* failed) {
       *failed = std::move(next);
       return status;
     }
-    const Eigen::VectorXd change = rule_.change(shape_, next.flat.on_input.lengths);
+    const Eigen::VectorXd change = rule_.change(shape_, LengthsThatCount(surface_, next.flat));
     const double largest = change.cwiseAbs().maxCoeff();
     if (largest < least_) {
       if (largest > kGoodEnough || largest < least_ / 2) since = 0;

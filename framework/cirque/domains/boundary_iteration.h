@@ -26,8 +26,8 @@ struct BoundaryRule {
   double at_rest = 1e-10;  ///< the lengths stay where a round changes no log by more
 };
 
-/// Flattens with the boundary's angle sums of the shape, by the lengths that come out again, until these
-/// stay: a fixed point, by Anderson's acceleration, one solve a round, ten to twenty rounds. Where that
+/// Flattens with the boundary's angle sums of the shape, by the lengths that come out again (with exact
+/// those of the metric of the exact map), until these stay: a fixed point, by Anderson's acceleration, one solve a round, ten to twenty rounds. Where that
 /// does not settle, as where intrinsic flips join vertices of one loop or change from round to round, it
 /// begins again on the input's connectivity, then from the best shape with half the shares.
 class BoundaryIteration {

@@ -137,6 +137,10 @@ Status MapToTorus(const Surface& surface, const MapRequest& request, const Solve
 /// leave are where the boundary's lengths on the surface lead. Certificate: RoundHolesSummary. Errors:
 /// kInvalidInput for any other topology and for an edge between two vertices of one hole; those of
 /// Parameterize; kUnrepresentable where triangles are too large for their circle; kNotConverged.
+///
+/// For the exact map the iteration goes on by the lengths of what is solved first, before any edge is
+/// locked; that is put on its circles, refined and drawn by itself, of the surface's own triangles where
+/// flips made some of vertices of one hole alone.
 Status MapToRoundHoles(const Surface& surface, const MapRequest& request,
                        const SolveControl& control, SurfaceMap* map);
 

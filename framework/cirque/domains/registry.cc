@@ -23,7 +23,7 @@ namespace cirque {
 namespace {
 
 constexpr char kWhyNoExact[] =
-    ": what is drawn there for the mesh's vertices after the solve has none; map to another domain "
+    ": a map that is bent for the mesh's vertices after the solve has none; map to another domain "
     "for one";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
@@ -150,7 +150,7 @@ const Registry<Domain>& Domains() {
          MapToStrip}},
        {"round_holes",
         {"the unit disk with round holes, for genus 0 with two or more boundary loops",
-         {"pattern", "refine_map", "strict"},
+         {"pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToRoundHoles}},
        {"torus",

@@ -1,20 +1,24 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/domains/boundary_iteration.h"
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/corner_places.h"
+#include "cirque/domains/exact_disk.h"
+#include "cirque/domains/round_circles.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/inscribed_polygon.h"
 #include "cirque/mesh/split_chords.h"
+#include "cirque/pipeline/exact_layout.h"
 #include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
@@ -116,151 +120,184 @@ class LoopShapes {
   Eigen::Index size_ = 0;
 };
 
+/// What the rounds of a boundary lead to.
+struct RoundShape {
+  Eigen::VectorXd shape;
+  int rounds = 0;
+};
+
 /// Flattens with the loops inscribed, by the lengths that come out again, until these stay.
-Status RoundLoops(const Surface& surface, const std::vector<Loop>& loops, const MapRequest& request,
-                  const SolveControl& control, SurfaceMap* map, int* rounds) {
-  const LoopShapes shapes(surface.triangulation, loops);
+StatusOr<RoundShape> RoundLoops(const Surface& surface, const LoopShapes& shapes,
+                                Eigen::VectorXd start, const ParameterizeOptions& options,
+                                const SolveControl& control, SurfaceMap* map) {
   const BoundaryRule rule = {
       [&](const Eigen::VectorXd& shape) { return shapes.Inscribed(shape); },
       [&](const Eigen::VectorXd& shape, const EdgeLengths& flat) -> Eigen::VectorXd {
         return shapes.ShapeOf(flat) - shape;
       },
-      shapes.ShapeOf(MeasureEdgeLengths(surface)), shapes.Shares()};
-  BoundaryIteration iteration(surface, rule, request.options, control);
+      std::move(start), shapes.Shares()};
+  BoundaryIteration iteration(surface, rule, options, control);
   const Status status = iteration.Run(map);
-  *rounds = iteration.rounds();
   if (!status.ok()) return status;
   *map = std::move(iteration.map());
-  if (iteration.IsSettled()) return Status();
+  if (iteration.IsSettled()) return RoundShape{iteration.shape(), iteration.rounds()};
   return Status(StatusCode::kNotConverged,
                 fmt::format("round_holes: after {} rounds edges of the boundary still change by "
                             "{:.1e} of their lengths (a finer mesh may help)",
-                            *rounds, iteration.change()));
+                            iteration.rounds(), iteration.change()));
 }
 
-/// The mean of the places of every vertex, which the seams part by rounding.
-std::vector<Complex> MeanPlaces(const Triangulation& t, const CornerUv& uv) {
-  std::vector<Complex> place(t.num_vertices);
-  std::vector<double> corners(t.num_vertices, 0);
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    place[t.vertex[h]] += Complex(uv.value[h].x(), uv.value[h].y());
-    corners[t.vertex[h]] += 1;
-  }
-  for (Index v = 0; v < t.num_vertices; ++v) place[v] /= corners[v];
-  return place;
-}
-
-struct Circle {
-  Complex centre;
-  double radius;
-
-  double Miss(Complex z) const { return std::abs(std::abs(z - centre) / radius - 1); }
-};
-
-/// The circle of least sum (|z - c|^2 - r^2)^2 (I. Kasa, 1976).
-Circle FitCircle(const Triangulation& t, const Loop& loop, const std::vector<Complex>& place) {
-  Complex mean = 0;
-  for (const Index h : loop) mean += place[t.Tail(h)] / static_cast<double>(loop.size());
-  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(loop.size()), 3);
-  Eigen::VectorXd squares(rows.rows());
-  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    const Complex z = place[t.Tail(loop[k])] - mean;
-    rows.row(k) << 2 * z.real(), 2 * z.imag(), 1;
-    squares[k] = std::norm(z);
-  }
-  const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(squares);
-  return {mean + Complex(fit.x(), fit.y()), std::sqrt(fit.z() + fit.head<2>().squaredNorm())};
-}
-
-/// Moves and scales the outer circle to the unit circle, and puts all boundary vertices on their
-/// circles.
-RoundHolesSummary PutOnCircles(const Triangulation& t, const std::vector<Loop>& loops,
-                               std::vector<Complex>* place) {
-  RoundHolesSummary summary;
-  summary.holes = static_cast<int>(loops.size()) - 1;
-  const Circle outer = FitCircle(t, loops[0], *place);
-  for (Complex& z : *place) z = (z - outer.centre) / outer.radius;
-  double roundness = 0, error = 0;
-  for (const Loop& loop : loops) {
-    const bool is_outer = &loop == &loops[0];
-    const Circle circle = is_outer ? Circle{0, 1} : FitCircle(t, loop, *place);
-    for (const Index h : loop) {
-      Complex& z = (*place)[t.Tail(h)];
-      roundness = std::max(roundness, circle.Miss(z));
-      z = circle.centre + circle.radius / std::abs(z - circle.centre) * (z - circle.centre);
-      error = std::max(error, circle.Miss(z));
-    }
-    if (is_outer) continue;
-    const bool first = &loop == &loops[1];
-    if (first || circle.radius < summary.smallest_radius) summary.smallest_radius = circle.radius;
-    if (first || circle.radius > summary.largest_radius) summary.largest_radius = circle.radius;
-  }
-  summary.roundness = roundness;
-  summary.circle_error = error;
-  return summary;
-}
-
-/// The places of all corners, without flipped triangles refined: inner vertices move, those of the
-/// outer circle slide along it.
-Status RefineBetweenCircles(const Surface& surface, const std::vector<Loop>& loops,
-                            const MapRequest& request, const SolveControl& control,
-                            std::vector<Complex>* place, SurfaceMap* map) {
+/// Refines a map without flipped triangles: inner vertices move, those of the outer circle slide along
+/// it.
+Status RefineBetweenCircles(const IntrinsicSurface& surface, const Loop& outer,
+                            const std::string& refine_map, const SolveControl& control,
+                            CornerUv* uv, std::optional<MapRefinementSummary>* summary) {
   const Triangulation& t = surface.triangulation;
-  const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
-  KeptVertices kept{intrinsic.boundary};
+  KeptVertices kept{surface.boundary};
   kept.sliding.slides.assign(t.num_vertices, false);
-  for (const Index h : loops[0]) {
+  for (const Index h : outer) {
     kept.sliding.slides[t.Tail(h)] = true;
     kept.held[t.Tail(h)] = false;
   }
-  CornerUv uv = map->uv;
-  Status status = RefineHeldMap(intrinsic, std::move(kept), request.options.refine_map,
-                                control.cancelled, &uv, &map->certificate.map_refinement);
+  return RefineHeldMap(surface, std::move(kept), refine_map, control.cancelled, uv, summary);
+}
+
+/// The surface that is solved for: without the outer loop's chords.
+struct WithoutChords {
+  std::vector<bool> chords;  ///< of the surface's edges
+  Surface split = {};
+  std::vector<Loop> loops = {};     ///< of it; halves of boundary edges there are none
+  std::vector<Index> part_of = {};  ///< per face of it the one of the surface
+  Index num_wholes = 0;             ///< faces of the surface
+
+  bool IsWhole() const { return std::find(chords.begin(), chords.end(), true) == chords.end(); }
+};
+
+/// Puts the layout of what was solved on its circles, for its exact map.
+Status PutLayoutOnCircles(const WithoutChords& solved, const ParameterizeOptions& options,
+                          const SolveControl& control, SolvedLayout* layout) {
+  const Triangulation& t = layout->surface.triangulation;
+  const Index on_outer = solved.split.triangulation.Tail(solved.loops[0].front());
+  std::vector<Loop> loops = BoundaryLoops(t);
+  const auto outer = std::find_if(loops.begin(), loops.end(), [&](const Loop& loop) {
+    return std::any_of(loop.begin(), loop.end(), [&](Index h) { return t.Tail(h) == on_outer; });
+  });
+  std::iter_swap(loops.begin(), outer);
+  std::vector<Complex> place = MeanPlaces(t, layout->uv);
+  PutOnCircles(t, loops, &place);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
-    (*place)[h] = {uv.value[h].x(), uv.value[h].y()};
+    layout->uv.value[h] = {place[t.vertex[h]].real(), place[t.vertex[h]].imag()};
   }
-  return status;
+  layout->cut.edge.assign(t.num_edges(), false);
+  Status status = CheckSolvedNotFlipped(t, layout->uv, "a finer mesh, or the plane");
+  if (!status.ok() || !layout->is_circle_pattern) return status;
+  std::optional<MapRefinementSummary> unused;
+  status = RefineBetweenCircles(layout->surface, loops[0], options.refine_map, control, &layout->uv,
+                                &unused);
+  return status.ok() ? CheckSolvedNotFlipped(t, layout->uv, "a finer mesh, or the plane") : status;
+}
+
+/// Makes the exact map of `solved.split`: the boundary's shape again by the metric that it is of, the
+/// first solve's, which where edges were locked later is another one.
+Status MakeExactRound(const WithoutChords& solved, const LoopShapes& shapes,
+                      const Eigen::VectorXd& start, const ParameterizeOptions& options,
+                      const SolveControl& control, SurfaceMap* drawn) {
+  const auto round = RoundLoops(solved.split, shapes, start, options, control, drawn);
+  if (!round.ok()) return round.status().In("the exact map");
+  ParameterizeRequest last = {options, shapes.Inscribed(round->shape)};
+  last.options.refine_map = "none";
+  last.place_exact = [&](SolvedLayout* layout) {
+    layout->part_of = &solved.part_of;
+    layout->num_wholes = solved.num_wholes;
+    return PutLayoutOnCircles(solved, options, control, layout);
+  };
+  return Parameterize(solved.split, last, control, drawn);
+}
+
+/// The exact map of the surface. Where flips made triangles of vertices of one hole alone, which lead
+/// through it once it is round, it is that of the pattern on the surface's own triangles.
+Status AddExactMap(const Surface& surface, const WithoutChords& solved, const LoopShapes& shapes,
+                   const Eigen::VectorXd& start, ParameterizeOptions options,
+                   const SolveControl& control, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  SurfaceMap drawn;
+  const auto make = [&] { return MakeExactRound(solved, shapes, start, options, control, &drawn); };
+  Status status = make();
+  const bool may_do_better = status.code() == StatusCode::kUnrepresentable &&
+                             options.triangulation != SolvedTriangulation::kInput;
+  if (may_do_better) {
+    options.triangulation = SolvedTriangulation::kInput;
+    status = make();
+  }
+  if (!status.ok()) return status;
+  map->certificate.exact_map = drawn.certificate.exact_map;
+  map->exact_map = std::move(drawn.exact_map);
+  if (solved.IsWhole()) return Status();
+  StatusOr<ExactMap> whole =
+      BeforeSplit(t, solved.chords, solved.split.triangulation, *std::move(map->exact_map));
+  map->exact_map.reset();
+  if (!whole.ok()) return whole.status();
+  map->exact_map = *std::move(whole);
+  return Status();
 }
 
 constexpr char kTooCoarse[] =
     "the circle pattern with round holes exists, but triangles, which stay straight, are too large "
     "for its circles (subdivide the mesh)";
 
-/// What is solved for: without the outer loop's chords.
+/// Puts the vertices of the surface where they are on their circles, and refines the map.
+Status FinishOnCircles(const Surface& surface, const std::vector<Loop>& loops,
+                       const std::vector<Complex>& place, const MapRequest& request,
+                       const SolveControl& control, SurfaceMap* map) {
+  const Triangulation& t = surface.triangulation;
+  std::vector<Complex> corners;
+  for (const Index v : t.vertex) corners.push_back(place[v]);
+  map->flat = {};
+  map->targets = {};
+  ForgetCut(t, map);
+  Status status = PutCorners(surface, corners, kTooCoarse, map);
+  if (!status.ok() || map->certificate.layout->flipped_triangles > 0) return status;
+  control.BeginStage("refinement");
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  status = RefineBetweenCircles(MeasureSurface(t, lengths), loops[0], request.options.refine_map,
+                                control, &map->uv, &map->certificate.map_refinement);
+  return status.ok() ? MeasurePlaced(surface, kTooCoarse, map) : status;
+}
+
 Status SolveWithoutChords(const Surface& surface, const std::vector<Loop>& loops,
                           const MapRequest& request, const SolveControl& control, SurfaceMap* map) {
-  const std::vector<bool> chords = ChordsOf(surface.triangulation, loops[0]);
-  const bool none = std::find(chords.begin(), chords.end(), true) == chords.end();
-  const Surface split = none ? surface : SplitEdges(surface, chords);
-  // Halves of boundary edges there are none: loops keep their vertices.
-  const std::vector<Loop> solved = LoopsByLength(split);
-  const Triangulation& t = split.triangulation;
-  int rounds = 0;
-  const Status rounded = RoundLoops(split, solved, request, control, map, &rounds);
-  if (rounded.code() == StatusCode::kInfeasible && !none) {
+  WithoutChords solved{ChordsOf(surface.triangulation, loops[0])};
+  solved.split = solved.IsWhole() ? surface : SplitEdges(surface, solved.chords);
+  solved.loops = LoopsByLength(solved.split);
+  solved.part_of = FacesBeforeSplit(surface.triangulation, solved.chords);
+  solved.num_wholes = surface.triangulation.num_faces();
+  const Triangulation& t = solved.split.triangulation;
+  const LoopShapes shapes(t, solved.loops);
+  ParameterizeOptions at_vertices = request.options;
+  at_vertices.exact = false;
+  const auto rounded =
+      RoundLoops(solved.split, shapes, shapes.ShapeOf(MeasureEdgeLengths(solved.split)),
+                 at_vertices, control, map);
+  if (rounded.status().code() == StatusCode::kInfeasible && !solved.IsWhole()) {
     ForgetProof(map);
     return Status(StatusCode::kNotConverged,
                   "with edges between two vertices of the outer boundary split, the mesh has no "
                   "circle pattern with round boundaries; subdivide it");
   }
-  if (!rounded.ok()) return rounded;
+  if (!rounded.ok()) return rounded.status();
   std::vector<Complex> place = MeanPlaces(t, map->uv);
-  RoundHolesSummary summary = PutOnCircles(t, solved, &place);
-  summary.rounds = rounds;
-  summary.chords = static_cast<int>(std::count(chords.begin(), chords.end(), true));
+  RoundHolesSummary summary = PutOnCircles(t, solved.loops, &place);
+  summary.rounds = rounded->rounds;
+  summary.chords = static_cast<int>(std::count(solved.chords.begin(), solved.chords.end(), true));
   map->certificate.round_holes = summary;
-  const Triangulation& whole = surface.triangulation;
-  std::vector<Complex> corners;
-  for (const Index v : whole.vertex) corners.push_back(place[v]);
-  map->flat = {};
-  map->targets = {};
-  ForgetCut(whole, map);
-  Status status = PutCorners(surface, corners, kTooCoarse, map);
-  if (!status.ok()) return status;
-  control.BeginStage("refinement");
-  status = RefineBetweenCircles(surface, loops, request, control, &corners, map);
-  return status.ok() ? PutCorners(surface, corners, kTooCoarse, map) : status;
+  if (request.options.exact) {
+    const Timer timer;
+    Status made =
+        AddExactMap(surface, solved, shapes, rounded->shape, request.options, control, map);
+    AddSeconds(timer, &map->certificate.seconds.exact);
+    if (!made.ok()) return made;
+  }
+  return FinishOnCircles(surface, loops, place, request, control, map);
 }
 
 }  // namespace

@@ -103,16 +103,18 @@ Status MakeExact(const Job& job, Parameterization* result) {
   if (Status s = LayOutSolved(job, solved, surface, *result, &layout); !s.ok()) return s;
   ExactMapSummary& summary = Fill(&result->certificate.exact_map);
   SummarizeLayout(layout, &summary);
-  SolvedLayout placed = {surface, solved.angles, std::move(layout.cut), std::move(layout.uv),
-                         summary};
+  SolvedLayout placed = {
+      surface, solved.angles,          std::move(layout.cut), std::move(layout.uv),
+      summary, IsCirclePattern(solved)};
   if (job.place_exact && *job.place_exact) {
     if (Status s = (*job.place_exact)(&placed); !s.ok()) return s;
   }
   StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
   if (!overlay.ok()) return overlay.status().In("exact_limit");
   ExactMap map;
-  const SolvedMap laid_out = {job.surface.triangulation, surface, placed.cut, placed.uv,
-                              placed.grid};
+  const SolvedMap laid_out = {
+      job.surface.triangulation, surface, placed.cut, placed.uv, placed.grid, placed.part_of,
+      placed.num_wholes};
   if (Status s = DrawExactMap(laid_out, *overlay, &summary, &map); !s.ok()) return s;
   map.log_weight = LogWeights(solved, *overlay);
   Summarize(IsCirclePattern(solved)

@@ -24,7 +24,11 @@ struct SolvedLayout {
   Cut cut;                          ///< of it
   CornerUv uv;
   ExactMapSummary& summary;      ///< what the certificate says of it
+  bool is_circle_pattern;        ///< else a refinement would have nothing to compare it with
   std::optional<int> grid = {};  ///< of the places on the cut (MakeExactMap); nothing: none
+  /// As in SolvedMap.
+  const std::vector<Index>* part_of = nullptr;
+  Index num_wholes = 0;
 };
 
 /// Lays out the triangulation that was solved on (FlatSurface::exact) by itself, as CutAndPlace
