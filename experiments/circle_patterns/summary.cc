@@ -253,7 +253,7 @@ std::string SphereSummaryText(const Certificate& c) {
              "pole        vertex {} of {} triangles, intersection {:.2e} rad, log range {:.1f}\n",
              sphere.pole_vertex + 1, sphere.pole_corners, sphere.delaunay_margin.value_or(kUnset),
              c.radii ? c.radii->log_radius_range : kUnset) +
-         MapLine(c) +
+         MapLine(c) + ExactLine(c) +
          fmt::format(
              "sphere      centre of mass {:.1e}, log area ratio {:.3f} L2, angles {:.2e} rad mean "
              "{:.2e} max\n",

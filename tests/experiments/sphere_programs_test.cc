@@ -95,6 +95,7 @@ TEST_F(SphereProgramsTest, AnExactMapIsVerifiedAndPlantedErrorsAreNot) {
   const ProgramResult mapped = Map(in, folder_.Path("out.obj"), "--exact=" + exact);
   ASSERT_EQ(mapped.exit_status, 0) << mapped.output;
   EXPECT_THAT(mapped.output, HasSubstr("exact.obj ("));
+  EXPECT_THAT(mapped.output, HasSubstr("faces for one of the input"));
   const std::string verify = "verify_map --domain=sphere --exact " + in + " ";
   const ProgramResult verified = RunProgram(verify + exact);
   EXPECT_EQ(verified.exit_status, 0) << verified.output;
