@@ -12,11 +12,11 @@
 #include "cirque/core/metric.h"
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/overlay.h"
-#include "cirque/layout/exact_map.h"
 #include "cirque/math/lattice.h"
 #include "cirque/math/predicates.h"
 
-/// Where the corners of an overlay lie in an exact map (MakeExactMap): in the plane or on the sphere.
+/// Where the corners of an overlay lie in an exact map (MakeExactMap of layout/exact_map.h): in the plane
+/// or on the sphere.
 namespace cirque {
 
 /// The ends of the side of a triangulation's face on which a crossing lies: the halfedges whose
