@@ -139,14 +139,11 @@ TEST(ExactMesh, OfAPolygonHasItsSidesAndCornersByBothPatterns) {
   }
 }
 
-TEST(ExactMesh, IsRefusedAboveItsLimitAndByOtherDomains) {
+TEST(ExactMesh, IsRefusedAboveItsLimit) {
   const Surface terrain = Stretched("bumpy_terrain", 600, 4);
   MapRequest small = ExactRequest();
   small.options.exact_limit = 100;
   EXPECT_THAT(MapSurface(terrain, small).status().message(), testing::HasSubstr("exact_limit"));
-  MapRequest curve = ExactRequest();
-  curve.domain = "curve";
-  EXPECT_THAT(MapSurface(terrain, curve).status().message(), testing::HasSubstr("takes no exact"));
 }
 
 MapRequest ByEquivalence() {

@@ -352,8 +352,6 @@ def test_an_exact_map_refines_the_mesh(square):
     in_disk = cirque.disk(V, F, exact=True).exact
     assert set(in_disk.face_of_input) == set(range(len(F)))
     assert np.hypot(*in_disk.uv.T).max() <= 1 + 1e-12
-    with pytest.raises(cirque.InvalidInputError, match="exact"):
-        cirque.flatten(V, F, domain="curve", exact=True)
 
 
 def test_an_exact_map_to_the_sphere_has_points_of_it(closed):

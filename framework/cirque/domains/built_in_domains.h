@@ -158,6 +158,9 @@ Status MapToRoundHoles(const Surface& surface, const MapRequest& request,
 /// kInvalidInput for no topological disk, a vertex inside, a curve that is none; those of Parameterize;
 /// kUnrepresentable where the boundary has too few vertices for the curve or triangles are too large for
 /// it; kNotConverged where it cannot be bent onto the curve.
+///
+/// The exact map is that of a fit of its own, by the lengths of what is solved first, from the same vertex
+/// on; its layout is put onto the curve, bent where triangles of it would flip, refined and drawn.
 Status MapToCurve(const Surface& surface, const MapRequest& request, const SolveControl& control,
                   SurfaceMap* map);
 

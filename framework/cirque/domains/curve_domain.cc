@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "cirque/domains/corner_places.h"
 #include "cirque/domains/curve_fit.h"
 #include "cirque/domains/curves.h"
+#include "cirque/domains/exact_disk.h"
 #include "cirque/domains/half_plane_chart.h"
 #include "cirque/domains/slide_on_curve.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
@@ -19,6 +21,7 @@
 #include "cirque/math/similarity.h"
 #include "cirque/mesh/split_chords.h"
 #include "cirque/metrics/injectivity.h"
+#include "cirque/pipeline/exact_layout.h"
 #include "cirque/pipeline/finish_layout.h"
 
 namespace cirque {
@@ -147,6 +150,54 @@ Status CheckStart(const Surface& surface, const std::vector<Index>& loop, Index 
                   surface.soup_vertex[start]));
 }
 
+/// Puts the layout of what was solved onto the curve, for its exact map.
+Status PutLayoutOnCurve(const ClosedCurve& curve, VerticesOnCurve on,
+                        const ParameterizeOptions& options, const SolveControl& control,
+                        SolvedLayout* layout) {
+  constexpr char kElsewhere[] = "a finer mesh, or the plane";
+  const Triangulation& t = layout->surface.triangulation;
+  const std::vector<Landmark> landmarks = LandmarksOf(curve, on);
+  std::vector<Complex> place = PlacesNear(landmarks, t, layout->uv);
+  CornerUv near = UvOf(t, place);
+  PutOnCurve(landmarks, curve.Area(), &place);
+  layout->uv = UvOf(t, place);
+  if (!FlippedFaces(t, layout->uv).empty() && FlippedFaces(t, near).empty()) {
+    layout->uv = std::move(near);
+    CurveSummary unused;
+    Status bent = BendOntoCurve(layout->surface, landmarks, control, &layout->uv, &unused);
+    if (!bent.ok()) return bent.In("the exact map");
+  }
+  Status status = CheckSolvedNotFlipped(t, layout->uv, kElsewhere);
+  if (!status.ok() || !layout->is_circle_pattern) return status;
+  std::optional<MapRefinementSummary> unused;
+  status = RefineOnCurve(layout->surface, curve, options.refine_map, control.cancelled, &on,
+                         &layout->uv, &unused);
+  return status.ok() ? CheckSolvedNotFlipped(t, layout->uv, kElsewhere) : status;
+}
+
+/// Adds the exact map, of which the boundary is inscribed by itself, from the same vertex on.
+Status AddExactMap(const Surface& surface, const Surface& split, const std::vector<bool>& chords,
+                   const ClosedCurve& curve, const MapRequest& request, const SolveControl& control,
+                   SurfaceMap* map) {
+  const Timer timer;
+  const Triangulation& t = surface.triangulation;
+  SurfaceMap drawn;
+  CurveFit fit(split, curve, request, control);
+  if (Status s = fit.Run(&drawn); !s.ok()) return s.In("the exact map");
+  ParameterizeRequest last = {request.options, fit.targets()};
+  last.options.refine_map = "none";
+  const std::vector<Index> part_of = FacesBeforeSplit(t, chords);
+  last.place_exact = [&](SolvedLayout* layout) {
+    layout->part_of = &part_of;
+    layout->num_wholes = t.num_faces();
+    return PutLayoutOnCurve(curve, fit.on_curve(), request.options, control, layout);
+  };
+  if (Status s = Parameterize(split, last, control, &drawn); !s.ok()) return s;
+  Status status = TakeExactMap(t, chords, split.triangulation, &drawn, map);
+  AddSeconds(timer, &map->certificate.seconds.exact);
+  return status;
+}
+
 }  // namespace
 
 Status MapToCurve(const Surface& surface, const MapRequest& request, const SolveControl& control,
@@ -160,7 +211,9 @@ Status MapToCurve(const Surface& surface, const MapRequest& request, const Solve
   const std::vector<bool> chords = ChordsOf(t, loop);
   const bool none = std::find(chords.begin(), chords.end(), true) == chords.end();
   const Surface split = none ? surface : SplitEdges(surface, chords);
-  CurveFit fit(split, *curve, request, control);
+  MapRequest at_vertices = request;
+  at_vertices.options.exact = false;
+  CurveFit fit(split, *curve, at_vertices, control);
   const Status solved = fit.Run(map);
   if (solved.code() == StatusCode::kInfeasible && !none) {
     ForgetProof(map);
@@ -177,7 +230,14 @@ Status MapToCurve(const Surface& surface, const MapRequest& request, const Solve
   map->flat = {};
   map->targets = {};
   ForgetCut(t, map);
-  return FinishOnCurve(surface, *curve, fit.on_curve(), std::move(place), request, control, map);
+  if (request.options.exact) {
+    MapRequest exact = request;
+    exact.shape.angle_zero = fit.on_curve().vertex[0];
+    Status made = AddExactMap(surface, split, chords, *curve, exact, control, map);
+    if (!made.ok()) return made;
+  }
+  return FinishOnCurve(surface, *curve, fit.on_curve(), std::move(place), at_vertices, control,
+                       map);
 }
 
 }  // namespace cirque

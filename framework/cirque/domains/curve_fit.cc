@@ -47,6 +47,7 @@ Status CurveFit::Run(SurfaceMap* map) {
   if (status.code() == StatusCode::kCancelled) return status;
   if (status.ok()) *map = std::move(iteration.map());
   const VectorXd shape = status.ok() ? iteration.shape() : start;
+  targets_ = status.ok() ? Targets(shape) : FreeBoundaryTargets(disk_.triangulation);
   summary_.length_mismatch =
       polygons_.Missing(shape, Lengths(map->flat.on_input.lengths)).cwiseAbs().maxCoeff();
   return PlaceOn(polygons_.Arcs(shape));

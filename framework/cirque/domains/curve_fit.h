@@ -35,6 +35,8 @@ class CurveFit {
 
   const CurveSummary& summary() const { return summary_; }
   const VerticesOnCurve& on_curve() const { return on_curve_; }
+  /// The angle sums that the map was asked for.
+  const ConeTargets& targets() const { return targets_; }
 
  private:
   Status MapFreely(SurfaceMap* map);
@@ -54,6 +56,7 @@ class CurveFit {
   Eigen::VectorXd lower_, upper_;
   VerticesOnCurve on_curve_;
   CurveSummary summary_;
+  ConeTargets targets_;
 };
 
 }  // namespace cirque

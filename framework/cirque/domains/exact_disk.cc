@@ -124,4 +124,16 @@ StatusOr<ExactMap> BeforeSplit(const Triangulation& t, const std::vector<bool>& 
   return map;
 }
 
+Status TakeExactMap(const Triangulation& t, const std::vector<bool>& edges,
+                    const Triangulation& split, SurfaceMap* from, SurfaceMap* map) {
+  StatusOr<ExactMap> whole = *std::move(from->exact_map);
+  if (std::find(edges.begin(), edges.end(), true) != edges.end()) {
+    whole = BeforeSplit(t, edges, split, *std::move(whole));
+  }
+  if (!whole.ok()) return whole.status();
+  map->exact_map = *std::move(whole);
+  map->certificate.exact_map = from->certificate.exact_map;
+  return Status();
+}
+
 }  // namespace cirque

@@ -36,4 +36,9 @@ Status DrawExactDisk(const Triangulation& disk, const IntrinsicTriangulation& so
 StatusOr<ExactMap> BeforeSplit(const Triangulation& triangulation, const std::vector<bool>& edges,
                                const Triangulation& split, ExactMap map);
 
+/// Hands the exact map of `from`, a map of the surface with these edges split, and what the certificate
+/// says of it to the map of that before (BeforeSplit).
+Status TakeExactMap(const Triangulation& triangulation, const std::vector<bool>& edges,
+                    const Triangulation& split, SurfaceMap* from, SurfaceMap* map);
+
 }  // namespace cirque

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,9 +21,6 @@
 namespace cirque {
 namespace {
 
-constexpr char kWhyNoExact[] =
-    ": a map that is bent for the mesh's vertices after the solve has none; map to another domain "
-    "for one";
 constexpr std::size_t kProofBegins = 18;  ///< "no coherent angles"
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
@@ -42,9 +38,7 @@ Status CheckRequest(const Domain& domain, const MapRequest& request, Index num_v
         std::pair("pins", !request.shape.pins.empty()),
         std::pair("symmetric", request.shape.symmetric)}) {
     if (!given || domain.Reads(option)) continue;
-    const bool exact = std::string_view(option) == "exact";
-    return Status::InvalidInput(fmt::format("the domain {} takes no {}{}", request.domain, option,
-                                            exact ? kWhyNoExact : ""));
+    return Status::InvalidInput(fmt::format("the domain {} takes no {}", request.domain, option));
   }
   if (Status s = ParameterizeOptionTable().Validate(request.options); !s.ok()) return s;
   if (LeavesConformal(request.options.refine_map) && !domain.Reads("boundary")) {
@@ -135,7 +129,7 @@ const Registry<Domain>& Domains() {
          MapToTriangle}},
        {"curve",
         {"what a closed curve bounds, an ellipse or one of a file",
-         {"curve", "angle_zero", "pattern", "refine_map", "strict"},
+         {"curve", "angle_zero", "pattern", "refine_map", "exact", "exact_limit", "strict"},
          {"uv"},
          MapToCurve}},
        {"annulus",

@@ -230,15 +230,7 @@ Status AddExactMap(const Surface& surface, const WithoutChords& solved, const Lo
     status = make();
   }
   if (!status.ok()) return status;
-  map->certificate.exact_map = drawn.certificate.exact_map;
-  map->exact_map = std::move(drawn.exact_map);
-  if (solved.IsWhole()) return Status();
-  StatusOr<ExactMap> whole =
-      BeforeSplit(t, solved.chords, solved.split.triangulation, *std::move(map->exact_map));
-  map->exact_map.reset();
-  if (!whole.ok()) return whole.status();
-  map->exact_map = *std::move(whole);
-  return Status();
+  return TakeExactMap(t, solved.chords, solved.split.triangulation, &drawn, map);
 }
 
 constexpr char kTooCoarse[] =
