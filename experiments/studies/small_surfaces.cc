@@ -34,6 +34,9 @@ void AddQuadrilateral(Index a, Index b, Index c, Index d, Dice* dice, PolygonSou
   AddTriangle(a, c, d, soup);
 }
 
+// Numbers for the arguments of one call are drawn before it, the last argument's first: a compiler may
+// evaluate them in any order, and GCC's, in which the surfaces were first drawn, is that one.
+
 /// A grid of `columns` x `rows` squares, its vertices off their places; around: its first column is
 /// its last.
 PolygonSoup Grid(int columns, int rows, bool around, bool over, Dice* dice) {
@@ -42,8 +45,10 @@ PolygonSoup Grid(int columns, int rows, bool around, bool over, Dice* dice) {
   PolygonSoup soup;
   const auto noise = [&] { return dice->Uniform(-1, 1); };
   for (int v = 0; v < width * height; ++v) {
-    soup.position.emplace_back(v % width + jitter * noise(), v / width + jitter * noise(),
-                               relief * noise());
+    const double z = relief * noise();
+    const double y = v / width + jitter * noise();
+    const double x = v % width + jitter * noise();
+    soup.position.emplace_back(x, y, z);
   }
   const auto vertex = [&](int x, int y) { return (y % height) * width + x % width; };
   for (int y = 0; y < rows; ++y) {
@@ -56,7 +61,8 @@ PolygonSoup Grid(int columns, int rows, bool around, bool over, Dice* dice) {
 }
 
 PolygonSoup Patch(Dice* dice) {
-  return Grid(dice->Between(1, 7), dice->Between(1, 7), false, false, dice);
+  const int rows = dice->Between(1, 7), columns = dice->Between(1, 7);
+  return Grid(columns, rows, false, false, dice);
 }
 
 /// A vertex almost on one of its neighbours, or on the line to it.
@@ -169,7 +175,10 @@ PolygonSoup Split(const PolygonSoup& soup, double probability, Dice* dice) {
   return split;
 }
 
-PolygonSoup SplitPatch(Dice* dice) { return Split(Patch(dice), dice->Uniform(0.1, 1), dice); }
+PolygonSoup SplitPatch(Dice* dice) {
+  const double probability = dice->Uniform(0.1, 1);
+  return Split(Patch(dice), probability, dice);
+}
 
 /// A tetrahedron or octahedron, split and crumpled.
 PolygonSoup Polyhedron(Dice* dice) {
