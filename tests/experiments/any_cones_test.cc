@@ -9,6 +9,7 @@
 #include "cirque/mesh/preflight.h"
 #include "cirque/solver/solver_strategy.h"
 #include "cirque/verify/map_check.h"
+#include "cirque/verify/refinement_check.h"
 
 #include "experiments/studies/small_surfaces.h"
 
@@ -38,8 +39,10 @@ Status SolveDoubled(int number, LogScalesResult* result) {
                         KeptEdges::kNoEdge, **newton, {}, result);
 }
 
-StatusOr<SurfaceMap> MapExactly(const Drawn& drawn, bool strict) {
+StatusOr<SurfaceMap> MapExactly(const Drawn& drawn, bool strict,
+                                PatternKind pattern = PatternKind::kCircle) {
   MapRequest request;
+  request.options.pattern = pattern;
   request.targets = drawn.cones;
   request.options.exact = true;
   request.options.strict = strict;
@@ -65,6 +68,22 @@ TEST(AnyCones, BeyondTheDigitsOfLengthsAreNamedSo) {
   EXPECT_THAT(status.message(), testing::HasSubstr("digits"));
   EXPECT_LE(result.residual, 1e-4);
   EXPECT_GT(result.log_scale.maxCoeff() - result.log_scale.minCoeff(), 50);
+}
+
+/// The boundary did not come back to the double: a vertex 4e-9 off it, and a needle of 1 to e^34, whose
+/// shapes doubles' lengths do not have (799, 3693); an edge of the double that came to nothing on the
+/// way back to the input left no number of the map beside the exact one (9154).
+TEST(AnyCones, TheDoublesHalfIsFoundInDigitsBelowADoubles) {
+  for (const int number : {799, 3693, 9154}) {
+    const Drawn drawn(number);
+    const StatusOr<SurfaceMap> map = MapExactly(drawn, true, PatternKind::kEquivalence);
+    ASSERT_TRUE(map.ok()) << number << ": " << map.status().message();
+    ASSERT_TRUE(map->exact_map.has_value());
+    const ExactMesh exact = RefineByExactMap(drawn.soup, drawn.surface, *map->exact_map);
+    const auto refinement = verify::CheckRefinement(drawn.soup, exact.mesh, exact.polygon);
+    ASSERT_TRUE(refinement.ok()) << refinement.status().message();
+    EXPECT_TRUE(refinement->valid()) << number;
+  }
 }
 
 /// A refinement's step flipped no triangle and yet wound the image twice round a vertex.

@@ -46,6 +46,18 @@ TEST(DoubleDouble, SumsDifferencesAndProductsHaveTwiceTheDigits) {
   EXPECT_FALSE(near < DoubleDouble(1));
 }
 
+TEST(DoubleDouble, QuotientsRootsAndExponentialsRelatively) {
+  Draws draw;
+  for (int i = 0; i < 200; ++i) {
+    const DoubleDouble a = draw.Number(200), b = draw.Number(200);
+    const Real quotient = Exact(a) / Exact(b), exponential = exp(Exact(a)), square = Exact(a * a);
+    EXPECT_LT(Error(a / b, quotient), 1e-29 * static_cast<double>(abs(quotient)));
+    EXPECT_LT(Error(Exp(a), exponential), 1e-27 * static_cast<double>(exponential));
+    EXPECT_LT(Error(Sqrt(a * a), sqrt(square)), 1e-29 * static_cast<double>(sqrt(square)));
+  }
+  EXPECT_EQ(Sqrt(0).Value(), 0);
+}
+
 TEST(DoubleDouble, LogarithmsOfSumsToo) {
   Draws draw;
   for (int i = 0; i < 300; ++i) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cirque/equivalence/double_surface.h"
+#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/intrinsic/normal_coordinates.h"
@@ -68,6 +69,70 @@ IntrinsicTriangulation CutOut(const Triangulation& surface, const NormalCoordina
   return cut_out;
 }
 
+/// The double's flat metric with the surface's boundary among its edges.
+struct RestoredBoundary {
+  NormalCoordinates normal;
+  FlipComplex metric;
+  CornerAngles angles;
+  std::vector<Index> flips;
+};
+
+CornerAngles AnglesIn(const FlipComplex& metric, Index num_vertices) {
+  const Triangulation t = metric.MakeTriangulation(num_vertices);
+  return MeasureCornerAngles(t, metric.MakeLengths(t));
+}
+
+CornerAngles AnglesIn(const ExtendedComplex& metric) {
+  CornerAngles angles;
+  angles.value.resize(metric.complex().num_halfedges());
+  for (Index h = 0; h < angles.value.size(); ++h) angles.value[h] = metric.Angle(h);
+  return angles;
+}
+
+/// The flat lengths with the digits that they were solved with.
+std::vector<DoubleDouble> ExtendedLengths(const LogScalesResult& result) {
+  const std::vector<DoubleDouble>& log_lengths = result.extended_log_lengths;
+  std::vector<DoubleDouble> lengths;
+  for (const DoubleDouble& x : log_lengths) {
+    lengths.push_back(Exp(x + (result.log_lengths[0] - log_lengths[0].Value())));
+  }
+  return lengths;
+}
+
+/// First with lengths in doubles, which are enough but for needles and for vertices all but on the
+/// boundary's line.
+std::optional<RestoredBoundary> RestoreBoundary(const Triangulation& surface,
+                                                const Triangulation& input,
+                                                const LogScalesResult& result,
+                                                const EdgeLengths& flat) {
+  const std::vector<bool> boundary = MirrorLine(surface, input);
+  const Triangulation& solved = result.intrinsic.triangulation;
+  NormalCoordinates normal(input);
+  for (const Index h : result.intrinsic.flips) normal.Flip(h);
+  RestoredBoundary restored{normal, FlipComplex(solved, flat), {}, {}};
+  if (RestoreEdges(input, boundary, &restored.normal, &restored.metric, &restored.flips)) {
+    restored.angles = AnglesIn(restored.metric, input.num_vertices);
+    return restored;
+  }
+  restored.normal = normal;
+  restored.flips.clear();
+  ExtendedComplex extended(solved, ExtendedLengths(result));
+  if (!RestoreEdges(input, boundary, &restored.normal, &extended, &restored.flips)) return {};
+  restored.metric = extended.complex();
+  restored.angles = AnglesIn(extended);
+  return restored;
+}
+
+/// Angles of the double's corners that the half has, in the order of its own.
+CornerAngles AnglesOfHalf(const CornerAngles& angles, const std::vector<Index>& face_of_half) {
+  std::vector<double> part;
+  for (Index h = 0; h < angles.value.size(); ++h) {
+    if (InHalf(face_of_half, h) != kNone) part.push_back(angles.value[h]);
+  }
+  const auto n = static_cast<Eigen::Index>(part.size());
+  return {Eigen::Map<const Eigen::VectorXd>(part.data(), n)};
+}
+
 }  // namespace
 
 EquivalentTriangulation TakeWhole(const Triangulation& surface, const LogScalesResult& result,
@@ -81,17 +146,15 @@ std::optional<HalfOfDouble> TakeHalf(const Triangulation& surface, const LogScal
                                      const EdgeLengths& flat, EquivalentTriangulation* whole) {
   const DoubledSurface doubled = DoubleSurface(surface, NoLengths(surface));
   const Triangulation &input = doubled.triangulation, &solved = result.intrinsic.triangulation;
-  NormalCoordinates normal(input);
-  for (const Index h : result.intrinsic.flips) normal.Flip(h);
-  FlipComplex metric(solved, flat);
-  std::vector<Index> back;
-  if (!RestoreEdges(input, MirrorLine(surface, input), &normal, &metric, &back)) return {};
-  whole->face_of_half = FacesOfHalf(normal, surface.num_faces());
+  const auto restored = RestoreBoundary(surface, input, result, flat);
+  if (!restored) return {};
+  const std::vector<Index>& back = restored->flips;
+  whole->face_of_half = FacesOfHalf(restored->normal, surface.num_faces());
   const auto mirrored = std::count(whole->face_of_half.begin(), whole->face_of_half.end(), kNone);
   if (mirrored != surface.num_faces()) return {};
   HalfOfDouble half;
-  half.half = CutOut(surface, normal, metric, whole->face_of_half);
-  half.angles = MeasureCornerAngles(half.half.triangulation, half.half.lengths);
+  half.half = CutOut(surface, restored->normal, restored->metric, whole->face_of_half);
+  half.angles = AnglesOfHalf(restored->angles, whole->face_of_half);
   PtolemyComplex ideal(solved, result.log_lengths);
   for (const Index h : back) ideal.Flip(h);
   ScaledTriangulation& of = whole->whole;

@@ -370,6 +370,7 @@ class LogScaleSolve {
     intrinsic.triangulation = complex.MakeTriangulation(t_.num_vertices);
     const Triangulation& flipped = intrinsic.triangulation;
     result_.log_lengths = complex.MakeLogLengths(flipped);
+    result_.extended_log_lengths = complex.MakeExtendedLogLengths(flipped);
     intrinsic.lengths.value.resize(flipped.num_edges());
     for (Index e = 0; e < flipped.num_edges(); ++e) {
       const Index h = flipped.edge_halfedge[e];

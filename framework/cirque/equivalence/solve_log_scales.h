@@ -10,6 +10,7 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/conformal_equivalence_energy.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
+#include "cirque/math/double_double.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
@@ -26,6 +27,7 @@ struct LogScalesResult {
   Eigen::VectorXd log_scale;        ///< u, V of the surface
   CornerAngles angles;              ///< of intrinsic, flat [rad]
   Eigen::VectorXd log_lengths;      ///< of intrinsic, flat
+  std::vector<DoubleDouble> extended_log_lengths;  ///< the same, as they were solved
   double residual = kUnset;         ///< max |angle sum - target| [rad]
   SolveSummary solve;               ///< the last; counts of all
 };

@@ -29,13 +29,16 @@ std::vector<Vector> SideVectors(const Triangulation& t, const CornerAngles& angl
   return side;
 }
 
-/// Undoes FlipComplex::Flip of h on the vectors; g is the twin of h.
-void UnflipVectors(Index h, Index g, std::vector<Vector>* side) {
+/// Undoes FlipComplex::Flip of h on the vectors; g is the twin of h. False: h has come to nothing,
+/// which tells no frame from another; the frames are put together as they are.
+bool UnflipVectors(Index h, Index g, std::vector<Vector>* side) {
   constexpr auto kNext = Triangulation::Next;
   constexpr auto kPrev = Triangulation::Prev;
   std::vector<Vector>& v = *side;
   Vector turn = -v[h] / v[g];  // from the frame of g's face to that of h's
   turn /= std::abs(turn);
+  const bool turns = std::isfinite(turn.real()) && std::isfinite(turn.imag());
+  if (!turns) turn = 1;
   const Vector next_h = turn * v[kPrev(g)], prev_h = v[kNext(h)];
   const Vector next_g = v[kPrev(h)], prev_g = turn * v[kNext(g)];
   v[kNext(h)] = next_h;
@@ -44,9 +47,12 @@ void UnflipVectors(Index h, Index g, std::vector<Vector>* side) {
   v[kNext(g)] = next_g;
   v[kPrev(g)] = prev_g;
   v[g] = -(next_g + prev_g);
+  return turns;
 }
 
-InputChart MeasureFaces(const Triangulation& t, const std::vector<Vector>& side) {
+/// `lost`: faces that count as flipped whatever their sides are.
+InputChart MeasureFaces(const Triangulation& t, const std::vector<Vector>& side,
+                        const std::vector<bool>& lost) {
   InputChart flat;
   flat.angles.value.resize(t.num_halfedges());
   flat.lengths.value.resize(t.num_edges());
@@ -57,7 +63,7 @@ InputChart MeasureFaces(const Triangulation& t, const std::vector<Vector>& side)
   ParallelFor(t.num_edges(),
               [&](Index e) { flat.lengths.value[e] = std::abs(side[t.edge_halfedge[e]]); });
   for (Index f = 0; f < t.num_faces(); ++f) {
-    if (!(Cross(side[3 * f], side[3 * f + 1]) > 0)) flat.flipped.push_back(f);
+    if (lost[f] || !(Cross(side[3 * f], side[3 * f + 1]) > 0)) flat.flipped.push_back(f);
   }
   return flat;
 }
@@ -69,11 +75,15 @@ InputChart ReadOnInput(const Triangulation& input, const IntrinsicTriangulation&
   const Triangulation& t = intrinsic.triangulation;
   std::vector<Vector> side = SideVectors(t, flat_angles, flat_lengths);
   FlipComplex complex(t, flat_lengths);
+  std::vector<bool> lost(t.num_faces(), false);
   for (auto flip = intrinsic.flips.rbegin(); flip != intrinsic.flips.rend(); ++flip) {
-    UnflipVectors(*flip, complex.twin(*flip), &side);
+    const Index g = complex.twin(*flip);
+    const Index left = Triangulation::Face(*flip), right = Triangulation::Face(g);
+    const bool turns = UnflipVectors(*flip, g, &side);
+    if (!turns || lost[left] || lost[right]) lost[left] = lost[right] = true;
     complex.Unflip(*flip, 0, kNone);
   }
-  return MeasureFaces(input, side);
+  return MeasureFaces(input, side, lost);
 }
 
 namespace {

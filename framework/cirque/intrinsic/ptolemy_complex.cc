@@ -137,4 +137,10 @@ Eigen::VectorXd PtolemyComplex::MakeLogLengths(const Triangulation& t) const {
   return complex_.MakeLengths(t).value;
 }
 
+std::vector<DoubleDouble> PtolemyComplex::MakeExtendedLogLengths(const Triangulation& t) const {
+  std::vector<DoubleDouble> lengths;
+  for (const Index h : t.edge_halfedge) lengths.push_back(LogLength(h));
+  return lengths;
+}
+
 }  // namespace cirque

@@ -62,6 +62,7 @@ class PtolemyComplex {
   /// The complex as it stands, edges numbered afresh, and the logarithms of its edges.
   Triangulation MakeTriangulation(Index num_vertices) const;
   Eigen::VectorXd MakeLogLengths(const Triangulation& triangulation) const;
+  std::vector<DoubleDouble> MakeExtendedLogLengths(const Triangulation& triangulation) const;
 
  private:
   DoubleDouble LogLength(Index h) const;

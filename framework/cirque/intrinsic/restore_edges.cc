@@ -21,10 +21,19 @@ struct Line {
   std::int64_t i = 0;
 };
 
+bool TurnEdge(Index h, FlipComplex* metric) {
+  const std::optional<double> length = metric->OtherDiagonal(h);
+  if (length) metric->Flip(h, *length, kNone);
+  return length.has_value();
+}
+
+bool TurnEdge(Index h, ExtendedComplex* metric) { return metric->Turn(h); }
+
+template <class Metric>
 class EdgeRestorer {
  public:
   EdgeRestorer(const Triangulation& input, const std::vector<bool>& edges,
-               NormalCoordinates* normal, FlipComplex* metric, std::vector<Index>* flips)
+               NormalCoordinates* normal, Metric* metric, std::vector<Index>* flips)
       : input_(input), edges_(edges), normal_(*normal), metric_(*metric), flips_(*flips) {}
 
   bool Run() {
@@ -116,9 +125,7 @@ class EdgeRestorer {
   bool Turn(Index h) {
     const Index g = metric_.twin(h), left = Triangulation::Face(h);
     if (g == kNone || Triangulation::Face(g) == left) return false;
-    const std::optional<double> length = metric_.OtherDiagonal(h);
-    if (!length) return false;
-    metric_.Flip(h, *length, kNone);
+    if (!TurnEdge(h, &metric_)) return false;
     normal_.Flip(h);
     flips_.push_back(h);
     touched_[left] = touched_[Triangulation::Face(g)] = true;
@@ -128,7 +135,7 @@ class EdgeRestorer {
   const Triangulation& input_;
   const std::vector<bool>& edges_;
   NormalCoordinates& normal_;
-  FlipComplex& metric_;
+  Metric& metric_;
   std::vector<Index>& flips_;
   std::vector<bool> touched_;  ///< faces, since the lines were looked for
 };
@@ -137,6 +144,11 @@ class EdgeRestorer {
 
 bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
                   NormalCoordinates* normal, FlipComplex* metric, std::vector<Index>* flips) {
+  return EdgeRestorer(input, edges, normal, metric, flips).Run();
+}
+
+bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
+                  NormalCoordinates* normal, ExtendedComplex* metric, std::vector<Index>* flips) {
   return EdgeRestorer(input, edges, normal, metric, flips).Run();
 }
 

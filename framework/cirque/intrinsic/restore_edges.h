@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/normal_coordinates.h"
 
@@ -20,5 +21,7 @@ namespace cirque {
 /// all three then are somewhere on the way.
 bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
                   NormalCoordinates* normal, FlipComplex* metric, std::vector<Index>* flips);
+bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
+                  NormalCoordinates* normal, ExtendedComplex* metric, std::vector<Index>* flips);
 
 }  // namespace cirque

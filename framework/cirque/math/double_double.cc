@@ -23,15 +23,6 @@ DoubleDouble Expm1Reduced(DoubleDouble x) {
   return sum;
 }
 
-/// e^x for -kNegligible <= x <= 0.
-DoubleDouble Exp(const DoubleDouble& x) {
-  const double powers = std::round(x.high / kLn2High);
-  const DoubleDouble ln2(kLn2High, kLn2Low);
-  const DoubleDouble grown = DoubleDouble(1) + Expm1Reduced(x - DoubleDouble(powers) * ln2);
-  const int exponent = static_cast<int>(powers);
-  return {std::ldexp(grown.high, exponent), std::ldexp(grown.low, exponent)};
-}
-
 /// log(1 + z) for 0 < z <= 1, by one step of Newton's method.
 DoubleDouble Log1p(const DoubleDouble& z) {
   const double first = std::log1p(z.high);
@@ -43,6 +34,27 @@ DoubleDouble Log1p(const DoubleDouble& z) {
 DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double product = a.high * b.high, lost = std::fma(a.high, b.high, -product);
   return {product, lost + (a.high * b.low + a.low * b.high)};
+}
+
+DoubleDouble Exp(const DoubleDouble& x) {
+  const double powers = std::round(x.high / kLn2High);
+  const DoubleDouble ln2(kLn2High, kLn2Low);
+  const DoubleDouble grown = DoubleDouble(1) + Expm1Reduced(x - DoubleDouble(powers) * ln2);
+  const int exponent = static_cast<int>(powers);
+  return {std::ldexp(grown.high, exponent), std::ldexp(grown.low, exponent)};
+}
+
+DoubleDouble Sqrt(const DoubleDouble& a) {
+  if (!(a.high > 0)) return 0;
+  const double root = std::sqrt(a.high);
+  return {root, (a - DoubleDouble(root) * root).Value() / (2 * root)};
+}
+
+DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double first = a.high / b.high;
+  const DoubleDouble left = a - b * first;
+  const double second = left.high / b.high;
+  return DoubleDouble(first, second) + (left - b * second).Value() / b.high;
 }
 
 DoubleDouble LogAddExp(const DoubleDouble& x, const DoubleDouble& y) {

@@ -51,6 +51,13 @@ inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 
+/// e^x. @pre neither it nor x is beyond a double's range.
+DoubleDouble Exp(const DoubleDouble& x);
+
+/// The square root of a number that is not negative, and a quotient.
+DoubleDouble Sqrt(const DoubleDouble& a);
+DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b);
+
 /// log(e^x + e^y), off by some 1e-31. @pre finite.
 DoubleDouble LogAddExp(const DoubleDouble& x, const DoubleDouble& y);
 
