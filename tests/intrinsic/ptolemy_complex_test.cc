@@ -53,6 +53,28 @@ TEST(PtolemyComplex, OnACircleTheOtherDiagonalIsThatOfTheQuadrilateral) {
   EXPECT_EQ(complex.label(h), kNone);
 }
 
+/// Opposite an edge of length 1 an angle pi - x with x^2 = 8 `missing`, or pi where that is not above 0,
+/// and one of e^-`narrow`.
+bool ViolatesBesideNeedle(double missing, double narrow) {
+  const Triangulation t = OnACircle().triangulation;
+  const Index h = InnerEdge(t);
+  std::vector<DoubleDouble> scale(4, 0.0);
+  const DoubleDouble half =
+      -LogAddExp(DoubleDouble(0), 0) + missing;  // log of the obtuse one's sides
+  scale[t.vertex[h]] = half + half;
+  scale[t.vertex[t.twin[h]]] = 2 * narrow;
+  const PtolemyComplex complex(t, Eigen::VectorXd::Zero(t.num_edges()), scale);
+  return complex.ViolatesDelaunay(h, Eigen::VectorXd::Zero(4));
+}
+
+TEST(PtolemyComplex, AnAngleOfAllButPiIsHeldAgainstTheNeedlesThatAddsToIt) {
+  EXPECT_TRUE(ViolatesBesideNeedle(-1e-28, 46));
+  EXPECT_FALSE(ViolatesBesideNeedle(1e-28, 46));  // pi - 3e-14 + 1e-20
+  EXPECT_TRUE(ViolatesBesideNeedle(1e-28, 30));   // pi - 3e-14 + 9e-14
+  EXPECT_FALSE(ViolatesBesideNeedle(1e-28, 33));  // pi - 3e-14 + 5e-15
+  EXPECT_TRUE(ViolatesBesideNeedle(1e-20, 20));   // pi - 3e-10 + 2e-9
+}
+
 TEST(PtolemyComplex, FlippingTwiceComesBack) {
   const Surface blob = GeneratedSurface("blob", 60);
   const Eigen::VectorXd before = LogLengths(blob);

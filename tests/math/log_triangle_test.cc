@@ -56,6 +56,20 @@ TEST(LogTriangle, NeedlesHaveTheirAnglesInDigitsBelowADoubles) {
   }
 }
 
+TEST(LogTriangle, AnglesAllButPiToo) {
+  // Sides 1, 1 and 2 cos(t / 2), the angle opposite which is pi - t.
+  for (const double t : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const DoubleDouble log_long =
+        LogAddExp(DoubleDouble(0), 0) - (t * t / 8 + std::pow(t, 4) / 192);
+    const LogTriangle triangle = SolveExtendedLogTriangle({log_long, 0, 0});
+    ASSERT_TRUE(triangle.proper) << t;
+    EXPECT_NEAR(triangle.half_tangent[0] * (0.5 * t), 1, 1e-6) << t;
+    for (const int k : {1, 2}) EXPECT_NEAR(triangle.angle[k] / (0.5 * t), 1, 1e-6) << t;
+  }
+  const DoubleDouble too_long = LogAddExp(DoubleDouble(0), 0) + 1e-25;
+  EXPECT_FALSE(SolveExtendedLogTriangle({too_long, 0, 0}).proper);
+}
+
 TEST(LogTriangle, EverySideIsTreatedAlike) {
   const LogTriangle t = SolveLogTriangle({0.1, 0.3, -0.2});
   const LogTriangle turned = SolveLogTriangle({0.3, -0.2, 0.1});

@@ -26,7 +26,7 @@ constexpr double kFirstStepOnPath = 0.1, kLeastStepOnPath = 1e-6;
 constexpr int kLeastSolvesOnPath = 20, kMostSolvesOnPath = 300, kMostStepsOnPath = 20,
               kMostStepsToPath = 200;
 constexpr int kIterationsInPart = 3, kPartsForOne = 10, kLeastParts = 100, kMostParts = 1000,
-              kIdleParts = 50;
+              kIdleParts = 50, kIdlePartsOnPath = 5;
 constexpr double kLessResidual = 0.9;  ///< of a part that is not idle
 constexpr double kNearAngles = 1;      ///< [rad]: the solution's triangles, but for needles
 /// Of the logarithms of lengths, relatively: a few units of double-double, after hundreds of flips.
@@ -200,11 +200,13 @@ class LogScaleSolve {
   }
 
   /// The same in a few iterations at a time, whatever the residual after each: creases can be narrower
-  /// than the spacing of doubles where u is large, and are met only by steps from beside them.
+  /// than the spacing of doubles where u is large, and are met only by steps from beside them. Where the
+  /// angles of needles are in the last digits, residuals rise and fall: the least one counts.
   Status SolveInSmallParts(const SolveControl& control) {
     const auto n = static_cast<int>(targets_.angle_sum.size());
     const int most = std::clamp(kPartsForOne * n, kLeastParts, kMostParts);
     double least = std::numeric_limits<double>::infinity();
+    Scales best = base_;
     result_.solve = {};
     for (int i = 0, since_least = 0; i < most && since_least < kIdleParts; ++i) {
       const ConformalEquivalenceEnergy energy = Energy();
@@ -220,10 +222,12 @@ class LogScaleSolve {
       Advance(energy.ScaleOfVertices(u.data()), &base_);
       if (!TakeAnew()) break;
       if (result_.residual <= kAcceptedResidual) return CheckTriangles();
-      if (!moved) break;
       since_least = result_.residual < kLessResidual * least ? 0 : since_least + 1;
-      least = std::min(least, result_.residual);
+      if (result_.residual < least) best = base_, least = result_.residual;
+      if (!moved) break;
     }
+    base_ = std::move(best);
+    TakeAnew();
     return Verdict();
   }
 
@@ -265,14 +269,16 @@ class LogScaleSolve {
     const int most_solves =
         std::clamp(kUnknownsOnPath / std::max(n, 1), kLeastSolvesOnPath, kMostSolvesOnPath);
     double done = 0, step = kFirstStepOnPath;
-    if (path == Path::kLengths && !Reach(At(path, 0, missing), kMostStepsToPath, control, &zero)) {
+    if (path == Path::kLengths &&
+        !Reach([&] { return At(path, 0, missing); }, kMostStepsToPath, control, &zero)) {
       return false;
     }
     for (int solves = 0; done < 1; ++solves) {
       if (solves == most_solves) return false;
       const double next = std::min(1.0, done + step);
       Eigen::VectorXd moved = (next - done) * ahead;
-      const bool reached = Reach(At(path, next, missing), kMostStepsOnPath, control, &moved);
+      const bool reached =
+          Reach([&] { return At(path, next, missing); }, kMostStepsOnPath, control, &moved);
       if (reached) ahead = moved / (next - done);
       if (reached) done = next;
       step *= reached ? 2 : 0.25;
@@ -281,14 +287,33 @@ class LogScaleSolve {
     return true;
   }
 
-  /// Minimises from u, relative to base_, and moves that there; leaves it where it is short of that.
-  bool Reach(const ConformalEquivalenceEnergy& energy, int most_steps, const SolveControl& control,
+  /// Minimises what `problem` makes at base_, from u on, and moves base_ and u there; leaves both where
+  /// they are short of that. u is counted anew, as in SolveInSmallParts, as long as that helps.
+  template <class Problem>
+  bool Reach(const Problem& problem, int most_steps, const SolveControl& control,
              Eigen::VectorXd* u) {
-    const SolveSummary solve = MinimizeRobustly(energy, {most_steps, kNearResidual}, control, u);
-    const bool reached =
-        solve.termination != Termination::kCancelled && solve.final_gradient_max <= kNearResidual;
-    if (reached) Advance(energy.ScaleOfVertices(u->data()), &base_);
-    return reached;
+    const Scales start = base_;
+    SolverLimits limits{most_steps, kNearResidual};
+    Eigen::VectorXd step = *u, moved = Eigen::VectorXd::Zero(u->size());
+    double least = std::numeric_limits<double>::infinity();
+    for (int idle = 0; idle < kIdlePartsOnPath;) {
+      const ConformalEquivalenceEnergy energy = problem();
+      const SolveSummary solve = MinimizeRobustly(energy, limits, control, &step);
+      if (solve.termination == Termination::kCancelled) break;
+      Advance(energy.ScaleOfVertices(step.data()), &base_);
+      moved += step;
+      if (solve.final_gradient_max <= kNearResidual) {
+        *u = moved;
+        return true;
+      }
+      if (solve.num_iterations() == 0) break;
+      idle = solve.final_gradient_max < kLessResidual * least ? 0 : idle + 1;
+      least = std::min(least, solve.final_gradient_max);
+      limits.max_iterations = kIterationsInPart;
+      step.setZero();
+    }
+    base_ = start;
+    return false;
   }
 
   /// Beside edges that are not flipped triangles may be degenerate.

@@ -1,6 +1,8 @@
 #include "cirque/intrinsic/ptolemy_complex.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "cirque/core/metric.h"
@@ -15,6 +17,13 @@ constexpr double kExtendedTolerance = 1e-26;  ///< of logarithms with twice a do
 Index Next(Index h) { return Triangulation::Next(h); }
 Index Prev(Index h) { return Triangulation::Prev(h); }
 Index Face(Index h) { return Triangulation::Face(h); }
+
+/// Whose angles are others if a side changes by the square of kPtolemyTolerance, relatively, which is
+/// what Ptolemy's theorem is off by on quadrilaterals that are as far from a circle.
+bool IsNeedle(const LogTriangle& triangle) {
+  const auto& tangent = triangle.half_tangent;
+  return *std::min_element(tangent.begin(), tangent.end()) < kPtolemyTolerance;
+}
 
 }  // namespace
 
@@ -72,9 +81,12 @@ bool PtolemyComplex::ViolatesByCosines(Index h, const Eigen::VectorXd& scale) co
 
 bool PtolemyComplex::Violates(Index h, const LogTriangle& left, const LogTriangle& right,
                               const Eigen::VectorXd& scale) const {
-  if (!left.proper || !right.proper) return ViolatesByCosines(h, scale);
-  return left.half_tangent[h % 3] * right.half_tangent[complex_.twin(h) % 3] >
-         1 + kPtolemyTolerance;
+  // Beside an angle of 0 or pi any other decides, to which cosines are blind where it is tiny.
+  if (!left.proper && !right.proper) return ViolatesByCosines(h, scale);
+  const double product = left.half_tangent[h % 3] * right.half_tangent[complex_.twin(h) % 3];
+  const bool is_tie = std::abs(product - 1) <= kPtolemyTolerance;
+  if (is_tie && (IsNeedle(left) || IsNeedle(right))) return ViolatesByCosines(h, scale);
+  return product > 1 + kPtolemyTolerance;
 }
 
 bool PtolemyComplex::ViolatesDelaunay(Index h, const Eigen::VectorXd& scale) const {

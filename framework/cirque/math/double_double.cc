@@ -44,6 +44,10 @@ DoubleDouble Exp(const DoubleDouble& x) {
   return {std::ldexp(grown.high, exponent), std::ldexp(grown.low, exponent)};
 }
 
+DoubleDouble Expm1(const DoubleDouble& x) {
+  return std::abs(x.high) < 0.5 * kLn2High ? Expm1Reduced(x) : Exp(x) - 1.0;
+}
+
 DoubleDouble Sqrt(const DoubleDouble& a) {
   if (!(a.high > 0)) return 0;
   const double root = std::sqrt(a.high);

@@ -51,8 +51,9 @@ inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 
-/// e^x. @pre neither it nor x is beyond a double's range.
+/// e^x and e^x - 1, relatively. @pre neither they nor x are beyond a double's range.
 DoubleDouble Exp(const DoubleDouble& x);
+DoubleDouble Expm1(const DoubleDouble& x);
 
 /// The square root of a number that is not negative, and a quotient.
 DoubleDouble Sqrt(const DoubleDouble& a);

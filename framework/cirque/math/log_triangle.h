@@ -27,7 +27,8 @@ struct LogTriangle {
 /// what a change of the logarithms by an ulp does.
 LogTriangle SolveLogTriangle(const std::array<double, 3>& log_side);
 
-/// The same of needles whose long sides differ by less than an ulp of their logarithms.
+/// The same of needles whose long sides differ by less than an ulp of their logarithms, and of triangles
+/// whose longest side is all but the sum of the others: 1 - t has twice the digits there.
 LogTriangle SolveExtendedLogTriangle(const std::array<DoubleDouble, 3>& log_side);
 
 /// log(e^x + e^y).
