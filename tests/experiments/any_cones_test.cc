@@ -1,4 +1,7 @@
 // Random cones that the solve of log scales was once at a loss with (studies any_cones).
+#include <cstdio>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,6 +74,24 @@ TEST(AnyCones, BeyondTheDigitsOfLengthsAreNamedSo) {
     EXPECT_LE(result.residual, 1e-4);
     EXPECT_GT(result.log_scale.maxCoeff() - result.log_scale.minCoeff(), 70);
   }
+}
+
+/// A layout with small triangles in places far from each other: that of the narrowest beside the spacing
+/// of doubles there.
+TEST(AnyCones, WhatDoublesDoNotHoldInOneChartIsGivenInFigures) {
+  const Status status = MapExactly(Drawn(9627), true, PatternKind::kEquivalence).status();
+  EXPECT_EQ(status.code(), StatusCode::kUnrepresentable);
+  const std::string message(status.message());
+  double width = 0, spacing = 0;
+  const std::size_t at = message.find(": face ");
+  ASSERT_NE(at, std::string::npos) << message;
+  const char* figures = message.c_str() + at;
+  ASSERT_EQ(std::sscanf(figures, ": face %*d, %lf wide, lies where doubles are %lf apart", &width,
+                        &spacing),
+            2)
+      << message;
+  EXPECT_GT(width, 0);
+  EXPECT_LT(width, spacing);
 }
 
 /// A path of problems is followed with u counted anew along it, too: the needles' creases are narrower

@@ -77,8 +77,10 @@ struct RestoredBoundary {
   std::vector<Index> flips;
 };
 
-CornerAngles AnglesIn(const FlipComplex& metric, Index num_vertices) {
-  const Triangulation t = metric.MakeTriangulation(num_vertices);
+CornerAngles AnglesIn(const FlipComplex& metric) {
+  Index last = 0;
+  for (Index h = 0; h < metric.num_halfedges(); ++h) last = std::max(last, metric.vertex(h));
+  const Triangulation t = metric.MakeTriangulation(last + 1);
   return MeasureCornerAngles(t, metric.MakeLengths(t));
 }
 
@@ -99,7 +101,24 @@ std::vector<DoubleDouble> ExtendedLengths(const LogScalesResult& result) {
   return lengths;
 }
 
-/// First with lengths in doubles, which are enough but for needles and for vertices all but on the
+/// Doubles' lengths have a triangle's angles to half their digits or more where all are above this
+/// [rad].
+constexpr double kWideAngle = 1e-6;
+
+const FlipComplex& Lengths(const FlipComplex& metric) { return metric; }
+const FlipComplex& Lengths(const ExtendedComplex& metric) { return metric.complex(); }
+
+template <class Metric>
+std::optional<RestoredBoundary> RestoreIn(Metric metric, NormalCoordinates normal,
+                                          const Triangulation& input,
+                                          const std::vector<bool>& boundary) {
+  std::vector<Index> flips;
+  if (!RestoreEdges(input, boundary, &normal, &metric, &flips)) return {};
+  CornerAngles angles = AnglesIn(metric);
+  return RestoredBoundary{std::move(normal), Lengths(metric), std::move(angles), std::move(flips)};
+}
+
+/// With lengths in doubles, which are enough but for needles and for vertices all but on the
 /// boundary's line.
 std::optional<RestoredBoundary> RestoreBoundary(const Triangulation& surface,
                                                 const Triangulation& input,
@@ -109,18 +128,11 @@ std::optional<RestoredBoundary> RestoreBoundary(const Triangulation& surface,
   const Triangulation& solved = result.intrinsic.triangulation;
   NormalCoordinates normal(input);
   for (const Index h : result.intrinsic.flips) normal.Flip(h);
-  RestoredBoundary restored{normal, FlipComplex(solved, flat), {}, {}};
-  if (RestoreEdges(input, boundary, &restored.normal, &restored.metric, &restored.flips)) {
-    restored.angles = AnglesIn(restored.metric, input.num_vertices);
-    return restored;
-  }
-  restored.normal = normal;
-  restored.flips.clear();
-  ExtendedComplex extended(solved, ExtendedLengths(result));
-  if (!RestoreEdges(input, boundary, &restored.normal, &extended, &restored.flips)) return {};
-  restored.metric = extended.complex();
-  restored.angles = AnglesIn(extended);
-  return restored;
+  auto rounded = RestoreIn(FlipComplex(solved, flat), normal, input, boundary);
+  if (rounded && rounded->angles.value.minCoeff() > kWideAngle) return rounded;
+  auto extended =
+      RestoreIn(ExtendedComplex(solved, ExtendedLengths(result)), normal, input, boundary);
+  return extended ? extended : rounded;
 }
 
 /// Angles of the double's corners that the half has, in the order of its own.

@@ -1,8 +1,10 @@
 #include "cirque/pipeline/cut_and_place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,15 +39,54 @@ bool IsFinite(const CornerUv& uv) {
                      [](const Eigen::Vector2d& x) { return x.allFinite(); });
 }
 
-Status Unrepresentable(const LogRadii& radii, const std::vector<Index>& flipped) {
-  const Eigen::VectorXd& rho = radii.value;
-  const double range = rho.size() > 0 ? rho.maxCoeff() - rho.minCoeff() : 0;
+/// A layout of the flat surface that misses triangles which are not flipped in it.
+struct Collapsed {
+  const Triangulation& t;
+  const InputChart& flat;
+  const CornerUv& uv;
+  const std::vector<Index>& flipped;
+};
+
+/// The least of the face's three heights.
+double Width(const Collapsed& layout, Index f) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+    const double side = layout.flat.lengths.value[layout.t.edge[Triangulation::Prev(h)]];
+    least = std::min(least, side * std::sin(layout.flat.angles.value[Triangulation::Next(h)]));
+  }
+  return least;
+}
+
+/// Of the doubles next to the face's first corner, the farther apart of both coordinates.
+double SpacingAt(const Collapsed& layout, Index f) {
+  const double farther = layout.uv.value[3 * f].lpNorm<Eigen::Infinity>();
+  return std::nextafter(farther, std::numeric_limits<double>::infinity()) - farther;
+}
+
+/// The face that is the narrowest as measured by doubles where it lies.
+std::string NarrowestForDoubles(const Collapsed& layout) {
+  Index narrowest = kNone;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Index f : layout.flipped) {
+    const double width = Width(layout, f) / SpacingAt(layout, f);
+    if (width < least) least = width, narrowest = f;
+  }
+  if (narrowest == kNone) return "";
+  return fmt::format(": face {} (0-based), {:.1e} wide, lies where doubles are {:.1e} apart",
+                     narrowest, Width(layout, narrowest), SpacingAt(layout, narrowest));
+}
+
+double Range(const Eigen::VectorXd& x) { return x.size() > 0 ? x.maxCoeff() - x.minCoeff() : 0; }
+
+Status Unrepresentable(const Collapsed& layout) {
   return Status(
       StatusCode::kUnrepresentable,
-      fmt::format(
-          "the flat metric exists but doubles cannot hold it in one chart: log radii range "
-          "over {:.1f} and {} would collapse, faces {} (0-based) among them; add cones there",
-          range, Count(flipped.size(), "face"), IdList(flipped, 5)));
+      fmt::format("the flat metric exists but doubles cannot hold it in one chart: the logarithms "
+                  "of its lengths range over {:.1f} and {} would collapse, faces {} (0-based) "
+                  "among them{}; add cones there",
+                  Range(layout.flat.lengths.value.array().log()),
+                  Count(layout.flipped.size(), "face"), IdList(layout.flipped, 5),
+                  NarrowestForDoubles(layout)));
 }
 
 /// Whether a map may begin elsewhere than at the conformal one: it is to leave it, and nothing of the
@@ -94,7 +135,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   LayoutSummary& summary = Fill(&certificate.layout);
   ScalePieces(job.surface, &layout.uv);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
-  if (!IsFinite(layout.uv)) return Unrepresentable(result->flat.log_radii, flipped);
+  if (!IsFinite(layout.uv)) return Unrepresentable({t, flat, layout.uv, flipped});
   std::optional<CornerUv> convex;
   if (!flipped.empty() && MayBeginConvexly(job, result->targets, *cut)) {
     convex = EmbedInDisk(job.surface);
@@ -126,7 +167,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   summary.cones = static_cast<int>(cones.size());
   summary.patches = static_cast<int>(layout.patches.count);
   summary.cut_length = RelativeCutLength(job.surface, *cut);
-  if (!flipped.empty() && !may_be_flipped) return Unrepresentable(result->flat.log_radii, flipped);
+  if (!flipped.empty() && !may_be_flipped) return Unrepresentable({t, flat, layout.uv, flipped});
   result->cut = *std::move(cut);
   result->uv = std::move(layout.uv);
   return Status();
