@@ -56,9 +56,13 @@ TEST_P(CurvedVertices, AShareOfThemAreTheMostCurvedAndKeepTheirScale) {
   EXPECT_GE(carried, 0.5 * AllCurvature());
   EXPECT_LT(carried - least, 0.5 * AllCurvature());
   for (const Index v : problem_.candidates()) {
-    if (!is_cone[v]) EXPECT_LE(std::abs(problem_.curvature()[v]), least);
+    if (!is_cone[v]) {
+      EXPECT_LE(std::abs(problem_.curvature()[v]), least);
+    }
   }
-  if (problem_.IsClosed()) EXPECT_NEAR(total, problem_.TotalCurvature(), 1e-10);
+  if (problem_.IsClosed()) {
+    EXPECT_NEAR(total, problem_.TotalCurvature(), 1e-10);
+  }
   const Eigen::VectorXd u = PredictedLogScale(problem_, cones);
   const double at_cones = problem_.IsClosed() ? u[cones.front().vertex] : 0;
   for (const Cone& cone : cones) EXPECT_NEAR(u[cone.vertex], at_cones, 1e-9);

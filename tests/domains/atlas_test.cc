@@ -1,12 +1,14 @@
 #include "cirque/domains/atlas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "cirque/core/triangulation.h"
 #include "cirque/layout/packing.h"
+#include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"
 
@@ -52,6 +54,20 @@ TEST(ArrangeAtlas, TrueLengthKeepsEverySurfacesArea) {
   EXPECT_EQ(atlas.patches, 2);
   EXPECT_GT(atlas.area_used, 0.5);
   EXPECT_LT(atlas.area_used, 1);
+}
+
+TEST(ArrangeAtlas, SaysWhichPiecesLoseTriangles) {
+  TwoStrips strips;
+  EXPECT_TRUE(strips.Arrange({}).lost.empty());
+  TwoStrips fine;
+  // Of squares that halve in size 60 times the last lie where doubles near 1 do not tell apart.
+  const Triangulation& t = fine.large.triangulation;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Eigen::Vector3d& p = fine.large.position[t.vertex[h]];
+    fine.large_uv.value[h] = std::exp2(-10 * p.x()) * Eigen::Vector2d(-1, 0.1 * (p.y() - 2));
+  }
+  EXPECT_TRUE(FlippedFaces(t, fine.large_uv).empty());
+  EXPECT_EQ(fine.Arrange({}).lost, std::vector<std::size_t>{1});
 }
 
 TEST(ArrangeAtlas, ScalesAndUnitSquareAndEachInOneSize) {

@@ -9,6 +9,7 @@
 
 #include "cirque/domains/map_arrays.h"
 #include "cirque/generators/generators.h"
+#include "cirque/metrics/injectivity.h"
 #include "cirque/verify/judge_map.h"
 #include "cirque/verify/refinement_check.h"
 
@@ -56,6 +57,47 @@ TEST(MapMesh, EveryFaceOfAnUncleanMeshComesBackAndTheJudgeAgrees) {
   const auto verdict = JudgeMap(soup, map->mesh, {});
   ASSERT_TRUE(verdict.ok());
   EXPECT_TRUE(verdict->valid) << verdict->verdict;
+}
+
+/// A tube of six sides and `rings` rings, closed at one end, beside a triangle: the free boundary leaves
+/// its far end e^rings times smaller than the near one.
+PolygonSoup TubeBesideTriangle(Index rings) {
+  PolygonSoup soup;
+  const auto at = [](Index ring, Index i) { return 6 * ring + i % 6; };
+  for (Index ring = 0; ring < rings; ++ring) {
+    for (Index i = 0; i < 6; ++i) {
+      const double angle = kPi / 3 * (static_cast<double>(i) + 0.5 * (ring % 2));
+      soup.position.emplace_back(std::cos(angle), std::sin(angle), ring);
+    }
+  }
+  const auto add = [&](const std::vector<std::int64_t>& corners) {
+    EXPECT_EQ(AddPolygon(corners, &soup), "");
+  };
+  for (Index ring = 0; ring + 1 < rings; ++ring) {
+    for (Index i = 0; i < 6; ++i) {
+      const Index shift = ring % 2;
+      add({at(ring, i), at(ring, i + 1), at(ring + 1, i + shift)});
+      add({at(ring, i + 1), at(ring + 1, i + 1 + shift), at(ring + 1, i + shift)});
+    }
+  }
+  const auto tip = static_cast<std::int64_t>(soup.position.size());
+  soup.position.emplace_back(0, 0, rings);
+  for (Index i = 0; i < 6; ++i) add({at(rings - 1, i), at(rings - 1, i + 1), tip});
+  for (const double x : {0., 1., 2.}) soup.position.emplace_back(10 + x, x * x, 0);
+  add({tip + 1, tip + 2, tip + 3});
+  return soup;
+}
+
+TEST(MapMesh, AMapThatTheFrameHasNoDigitsForGetsCones) {
+  const PolygonSoup soup = TubeBesideTriangle(40);
+  const MappedMesh mapped = Mapped(soup, {}, {});
+  ASSERT_TRUE(mapped.status.ok()) << mapped.status.message();
+  const Certificate& tube = mapped.map.certificate.components.front();
+  EXPECT_GT(tube.layout->cones.value_or(0), 0);
+  EXPECT_TRUE(FlippedFaces(mapped.surface->triangulation, mapped.map.uv).empty());
+  MapRequest strict;
+  strict.options.strict = true;
+  EXPECT_EQ(Mapped(soup, {}, strict).status.code(), StatusCode::kUnrepresentable);
 }
 
 TEST(MapMesh, WithoutRepairItIsRefusedAndSaysWhere) {

@@ -1,11 +1,13 @@
 #include "cirque/mesh/surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/metrics/injectivity.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"
@@ -98,6 +100,30 @@ TEST(AttachUv, WritesPolygonsAndTurnedFacesAsTheyStandInTheFile) {
   EXPECT_EQ(soup.corner, input.corner);
   for (std::size_t c = 0; c < soup.corner.size(); ++c) {
     EXPECT_EQ(soup.texture[soup.corner_texture[c]], input.position[input.corner[c]].head<2>());
+  }
+}
+
+TEST(AttachUv, APolygonWhoseTrianglesCoverEachOtherComesAsItsTriangles) {
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 7; ++i) {
+    points.emplace_back(std::cos(2 * kPi * i / 7), std::sin(2 * kPi * i / 7), 0);
+  }
+  const PolygonSoup input = testing::MakeSoup(points, {{0, 1, 2, 3, 4, 5, 6}});
+  const Surface surface = SurfaceOf(input);
+  // All five triangles at one corner, which turn by 5 times the angle.
+  const std::vector<Index> corners = CornersPerVertex(surface.triangulation);
+  const auto apex = std::max_element(corners.begin(), corners.end()) - corners.begin();
+  ASSERT_EQ(corners[apex], 5);
+  for (const double angle : {0.3, 1.4}) {
+    CornerUv uv;
+    for (const Index v : surface.triangulation.vertex) {
+      const double step = static_cast<double>((v - apex + 7) % 7);
+      uv.value.emplace_back(
+          v == apex ? Eigen::Vector2d::Zero()
+                    : step * Eigen::Vector2d(std::cos(angle * step), std::sin(angle * step)));
+    }
+    EXPECT_TRUE(FlippedFaces(surface.triangulation, uv).empty());
+    EXPECT_EQ(AttachUv(input, surface, uv).num_polygons(), angle < 1 ? 1 : 5);
   }
 }
 

@@ -66,6 +66,18 @@ TEST(KnownCases, AFanThatIsLaidOutFlatIsNoMapOfTheConcavePolygon) {
             "INVALID: 1 polygon cut by OUT into triangles that lie partly outside of it (0)");
 }
 
+// A flap at a right angle to the rest of its polygon faces away from their common normal, and does
+// not where both are seen from above.
+TEST(KnownCases, APolygonFarFromFlatMayBeCutAsItIsSeenAlongAnAxis) {
+  const std::string points = "v 0 0 0\nv 0.8 0 -0.6\nv 0.8 1 -0.6\nv 0 1 0\nv -0.059 0.5 -0.08\n";
+  const PolygonSoup in = Obj(points + "f 1 2 3 4 5\n");
+  const PolygonSoup out = Obj(points + "f 1 2 3\nf 1 3 4\nf 1 4 5\n");
+  EXPECT_EQ(Judge(in, WithVertexUv(out, Flattened(in))).Verdict(),
+            "valid (injective), 1 patch, 0 seam edges");
+  const PolygonSoup outside = Obj(points + "f 1 2 3\nf 1 3 5\nf 5 3 4\nf 1 4 5\nf 1 5 4\n");
+  EXPECT_THAT(Judge(in, WithVertexUv(outside, Flattened(in))).Verdict(), HasSubstr("INVALID"));
+}
+
 const char kDoublet[] =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.4 0.6 0.3\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "vt 0.4 0.6\n";

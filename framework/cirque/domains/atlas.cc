@@ -132,6 +132,8 @@ PlanarPiece::PlanarPiece(const Surface& surface, const Cut& cut, CornerUv* corne
 ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces) {
   ArrangedAtlas arranged;
   if (pieces.empty()) return arranged;
+  std::vector<bool> sound;
+  for (const PlanarPiece& piece : pieces) sound.push_back(IsPositive(*piece.uv));
   arranged.patches =
       pieces.size() > 1 ? PackPieces(frame, pieces) : static_cast<int>(pieces[0].patches.count);
   const Eigen::AlignedBox2d box = BoxOf(pieces);
@@ -140,6 +142,9 @@ ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>&
   const double side = box.sizes().maxCoeff();
   arranged.area_used = area / (side * side);
   PutIntoFrame(frame, box, pieces);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (sound[i] && !IsPositive(*pieces[i].uv)) arranged.lost.push_back(i);
+  }
   return arranged;
 }
 

@@ -33,6 +33,9 @@ double AreaOf(const Surface& surface);
 struct ArrangedAtlas {
   int patches = 0;
   double area_used = kUnset;  ///< share of the bounding square that the images' triangles cover
+  /// Pieces none of whose triangles was flipped and some are now, exactly: their smallest are lost in
+  /// the rounding of coordinates far from 0. Increasing.
+  std::vector<std::size_t> lost;
 };
 
 /// Puts the maps into the frame, all by similarities that keep orientation: several ones, and all of

@@ -10,6 +10,7 @@
 #include "cirque/core/text.h"
 #include "cirque/domains/atlas.h"
 #include "cirque/domains/map_components.h"
+#include "cirque/domains/mesh_pieces.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/mesh/holes.h"
 #include "cirque/pipeline/exact_layout.h"
@@ -17,18 +18,6 @@
 
 namespace cirque {
 namespace {
-
-/// A component and what becomes of it.
-struct Piece {
-  const MeshComponent& of;
-  ComponentSummary component;
-  std::optional<FilledSurface> filled = {};  ///< where holes are filled for the solve
-  MappedComponent mapped = {};               ///< its certificate is filled in any case
-
-  bool IsSurface() const { return of.surface.ok(); }
-  const Surface& Solved() const { return filled ? filled->surface : *of.surface; }
-  bool HasMap() const { return IsSurface() && mapped.status.ok(); }
-};
 
 /// The mesh on its way to its map.
 class MeshMapper {
@@ -60,7 +49,7 @@ class MeshMapper {
  private:
   Status FillHolesOfAll() {
     if (!options_.fill_holes) return Status();
-    for (Piece& piece : pieces_) {
+    for (MeshPiece& piece : pieces_) {
       if (!piece.IsSurface()) continue;
       StatusOr<FilledSurface> filled = FillHoles(*piece.of.surface, KeptLoops::kLongest);
       if (!filled.ok()) return filled.status();
@@ -71,8 +60,8 @@ class MeshMapper {
   }
 
   Status MapAll(const SurfaceRequest& request) {
-    std::vector<Piece*> sound;
-    for (Piece& piece : pieces_) {
+    std::vector<MeshPiece*> sound;
+    for (MeshPiece& piece : pieces_) {
       if (piece.IsSurface()) {
         sound.push_back(&piece);
       } else {
@@ -84,25 +73,21 @@ class MeshMapper {
       if (Status s = MapSound(request, sound); !s.ok()) return s;
     }
     seconds_ = timer.Seconds();
-    for (Piece& piece : pieces_) {
+    for (MeshPiece& piece : pieces_) {
       if (piece.mapped.status.code() == StatusCode::kCancelled) return piece.mapped.status;
       if (piece.HasMap()) mapped_.push_back(&piece);
     }
     return Status();
   }
 
-  Status MapSound(const SurfaceRequest& request, const std::vector<Piece*>& sound) {
+  Status MapSound(const SurfaceRequest& request, const std::vector<MeshPiece*>& sound) {
     std::vector<const Surface*> surfaces;
-    for (const Piece* piece : sound) surfaces.push_back(&piece->Solved());
+    for (const MeshPiece* piece : sound) surfaces.push_back(&piece->Solved());
     StatusOr<std::vector<MapRequest>> requests = RequestsOf(request, surfaces);
     if (!requests.ok()) return requests.status();
     if (Status s = CheckSeveral(requests->front()); !s.ok()) return s;
-    std::vector<ComponentJob> jobs;
-    for (std::size_t i = 0; i < sound.size(); ++i) {
-      jobs.push_back({*surfaces[i], std::move((*requests)[i]), sound[i]->component});
-    }
-    std::vector<MappedComponent> mapped = MapComponents(jobs, control_);
-    for (std::size_t i = 0; i < sound.size(); ++i) sound[i]->mapped = std::move(mapped[i]);
+    for (std::size_t i = 0; i < sound.size(); ++i) sound[i]->request = std::move((*requests)[i]);
+    MapPieces(sound, control_);
     return Status();
   }
 
@@ -121,7 +106,7 @@ class MeshMapper {
                     request.domain, mesh_->Sizes()));
   }
 
-  static void Refuse(Piece* piece) {
+  static void Refuse(MeshPiece* piece) {
     piece->mapped.status = piece->of.surface.status();
     Certificate& certificate = piece->mapped.map.certificate;
     certificate.outcome = ToString(piece->mapped.status.code());
@@ -130,18 +115,19 @@ class MeshMapper {
   }
 
   void GatherOne() {
-    Piece& piece = pieces_[0];
+    MeshPiece& piece = pieces_[0];
+    ArrangedAtlas atlas;
+    if (piece.HasMap() && !piece.mapped.map.IsOnSphere()) {
+      atlas = ArrangePieces(FrameOf(options_), control_, &mapped_);
+    } else if (piece.HasMap() && piece.filled) {
+      piece.mapped.map.uv = WithoutFill(*piece.filled, piece.mapped.map.uv);
+    }
     result_.status = piece.mapped.status;
     result_.map = std::move(piece.mapped.map);
     SurfaceMap& map = result_.map;
     if (piece.HasMap()) {
       result_.surface = {mesh_, &*piece.of.surface};
-      if (piece.filled) map.uv = WithoutFill(*piece.filled, map.uv);
-      if (!map.IsOnSphere()) {
-        const ArrangedAtlas atlas =
-            ArrangeAtlas(FrameOf(options_), {PlanarPiece(*result_.surface, map.cut, &map.uv)});
-        Fill(&map.certificate.layout).area_used = atlas.area_used;
-      }
+      if (!map.IsOnSphere()) Fill(&map.certificate.layout).area_used = atlas.area_used;
       if (map.exact_map && !map.IsOnSphere()) ArrangeExact({{piece.Solved(), &*map.exact_map}});
       result_.solved_surface =
           piece.filled ? std::make_shared<const Surface>(std::move(piece.filled->surface))
@@ -151,21 +137,15 @@ class MeshMapper {
   }
 
   void GatherSeveral() {
-    std::vector<PlanarPiece> planar;
-    for (Piece* piece : mapped_) {
-      SurfaceMap& map = piece->mapped.map;
-      if (piece->filled) map.uv = WithoutFill(*piece->filled, map.uv);
-      planar.emplace_back(*piece->of.surface, map.cut, &map.uv);
-    }
-    const ArrangedAtlas atlas = ArrangeAtlas(FrameOf(options_), planar);
+    const ArrangedAtlas atlas = ArrangePieces(FrameOf(options_), control_, &mapped_);
     std::vector<Certificate> certificates;
-    for (Piece& piece : pieces_) {
+    for (MeshPiece& piece : pieces_) {
       certificates.push_back(std::move(piece.mapped.map.certificate));
     }
     Certificate& certificate = result_.map.certificate;
     certificate = SummarizeComponents(std::move(certificates));
     certificate.atlas->atlas_patches = atlas.patches;
-    if (!planar.empty()) Fill(&certificate.layout).area_used = atlas.area_used;
+    if (!mapped_.empty()) Fill(&certificate.layout).area_used = atlas.area_used;
     certificate.seconds.total = seconds_;
     result_.status = WorstOfSeveral(certificate);
     TakeProof(&certificate);
@@ -186,7 +166,7 @@ class MeshMapper {
   void JoinMaps() {
     std::vector<const Surface*> surfaces;
     std::vector<const CornerUv*> uvs;
-    for (const Piece* piece : mapped_) {
+    for (const MeshPiece* piece : mapped_) {
       surfaces.push_back(&*piece->of.surface);
       uvs.push_back(&piece->mapped.map.uv);
     }
@@ -202,7 +182,7 @@ class MeshMapper {
     std::vector<ExactPiece> pieces;
     std::vector<const Surface*> surfaces;
     double faces = 0;
-    for (Piece* piece : mapped_) {
+    for (MeshPiece* piece : mapped_) {
       pieces.push_back({piece->Solved(), &*piece->mapped.map.exact_map});
       surfaces.push_back(&piece->Solved());
       const Certificate& own = result_.map.certificate.components[piece - pieces_.data()];
@@ -223,7 +203,7 @@ class MeshMapper {
   }
 
   Status WorstOfSeveral(const Certificate& all) const {
-    for (const Piece& piece : pieces_) {
+    for (const MeshPiece& piece : pieces_) {
       const Status& own = piece.mapped.status;
       if (own.ok() || ToString(own.code()) != all.outcome || own.message() != all.message) continue;
       return {own.code(), fmt::format("{} of {} components without a map; {} from face {} on: {}",
@@ -243,7 +223,7 @@ class MeshMapper {
     }
   }
 
-  void KeepProofSurface(Piece* piece) {
+  void KeepProofSurface(MeshPiece* piece) {
     result_.proof_surface = piece->filled
                                 ? std::make_shared<const Surface>(std::move(piece->filled->surface))
                                 : std::shared_ptr<const Surface>(mesh_, &*piece->of.surface);
@@ -252,8 +232,8 @@ class MeshMapper {
   std::shared_ptr<const MeshParts> mesh_;
   const MeshOptions& options_;
   const SolveControl& control_;
-  std::vector<Piece> pieces_;
-  std::vector<Piece*> mapped_;
+  std::vector<MeshPiece> pieces_;
+  std::vector<MeshPiece*> mapped_;
   double seconds_ = 0;
   MappedMesh result_;
 };

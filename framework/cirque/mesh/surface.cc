@@ -11,6 +11,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/grouping.h"
+#include "cirque/math/image_overlap.h"
 
 namespace cirque {
 
@@ -60,8 +61,23 @@ namespace {
 
 using Uv = Eigen::Vector2d;
 
-/// The UV of every corner of the input, null where no surface has it, and the polygons whose
-/// triangles do not agree on one.
+/// Whether the triangles [first, last) of a polygon cover some points of the image twice, as those of a
+/// polygon that is far from flat may: its border alone would not say what it covers.
+bool CoversItself(const MappedSurface& mapped, Index first, Index last) {
+  const Triangulation& t = mapped.surface.triangulation;
+  const auto begin = mapped.uv.value.begin();
+  const std::vector<Uv> uv(begin + 3 * first, begin + 3 * last);
+  std::vector<Index> twin;
+  for (Index h = 3 * first; h < 3 * last; ++h) {
+    const Index g = t.twin[Triangulation::Prev(h)];
+    const bool inside = g != kNone && g >= 3 * first && g < 3 * last;
+    twin.push_back(inside ? Triangulation::Next(g) - 3 * first : kNone);
+  }
+  return FindImageOverlap({uv, twin}).overlaps();
+}
+
+/// The UV of every corner of the input, null where no surface has it, and the polygons that cannot
+/// stand as they are: their triangles do not agree on one, or cover each other.
 struct CornerSources {
   std::vector<const Uv*> uv;
   std::vector<bool> torn;
@@ -76,6 +92,14 @@ CornerSources FindSources(const PolygonSoup& input, const std::vector<MappedSurf
       const Uv*& source = sources.uv[surface.soup_corner[h]];
       if (source == nullptr) source = &uv.value[h];
       if (*source != uv.value[h]) sources.torn[surface.soup_polygon[h / 3]] = true;
+    }
+    // A polygon's triangles follow one another; a quadrilateral's two cannot cover each other.
+    const auto num_faces = static_cast<Index>(surface.soup_polygon.size());
+    for (Index first = 0, last = 0; first < num_faces; first = last) {
+      const Index p = surface.soup_polygon[first];
+      while (last < num_faces && surface.soup_polygon[last] == p) ++last;
+      if (last - first < 3 || p == kNone || sources.torn[p]) continue;
+      sources.torn[p] = CoversItself({surface, uv}, first, last);
     }
   }
   return sources;

@@ -49,8 +49,8 @@ struct MappedSurface {
 /// The input, its points, polygons and corners in its own order, with the UVs of its surfaces as
 /// texture coordinates: equal UVs of the corners at one vertex are written once. A corner that no
 /// surface has gets the UV of another one of its polygon, and a polygon that no surface has the UV
-/// of one of its vertices at all of its corners, which has no area and flips nothing. A polygon
-/// along whose diagonals the UVs are torn comes as its triangles. What circle_patterns writes.
+/// of one of its vertices at all of its corners, which has no area. A polygon that is torn along a
+/// diagonal, or that covers itself in the image, comes as its triangles. What circle_patterns writes.
 PolygonSoup AttachUv(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces);
 PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const CornerUv& uv);
 

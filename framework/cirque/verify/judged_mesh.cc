@@ -1,6 +1,7 @@
 #include "cirque/verify/judged_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -155,6 +156,13 @@ Vector3d VectorArea(const std::vector<Vector3d>& corners, const std::vector<int>
   return area;
 }
 
+/// The coordinate axis that is nearest to a direction, pointing its way.
+Vector3d NearestAxis(const Vector3d& direction) {
+  Eigen::Index k = 0;
+  direction.cwiseAbs().maxCoeff(&k);
+  return std::copysign(1, direction[k]) * Vector3d::Unit(k);
+}
+
 /// Whether the face's border is simple in projection along its vector area.
 bool IsSimpleInProjection(const std::vector<Vector3d>& corners, const Vector3d& area) {
   const Vector3d x = area.unitOrthogonal(), y = area.normalized().cross(x);
@@ -177,11 +185,14 @@ std::vector<Index> FoldedTriangulations(const PolygonSoup& in, const MeshMatch& 
     const bool reversed =
         std::binary_search(match.faces.reversed.begin(), match.faces.reversed.end(), f);
     const Places places(match, f);
-    const bool leaves = std::any_of(pieces.begin(), pieces.end(), [&](Index g) {
-      const double part = VectorArea(corners, places.OfPiece(g)).dot(area);
-      return (reversed ? -part : part) < -kRounding * area.squaredNorm();
-    });
-    if (leaves) folded.push_back(f);
+    const auto leaves = [&](const Vector3d& along) {
+      return std::any_of(pieces.begin(), pieces.end(), [&](Index g) {
+        const double part = VectorArea(corners, places.OfPiece(g)).dot(along);
+        return (reversed ? -part : part) < -kRounding * area.dot(along);
+      });
+    };
+    // A polygon that is far from flat has no one plane: also where it is seen along an axis.
+    if (leaves(area) && leaves(NearestAxis(area))) folded.push_back(f);
   }
   return folded;
 }

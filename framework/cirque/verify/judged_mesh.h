@@ -49,7 +49,7 @@ JudgedMesh BuildJudgedMesh(const PolygonSoup& in, const JudgedFaces& faces, cons
 std::vector<bool> TurnedFaces(const PolygonSoup& in, const Surface& surface);
 
 /// Those faces of IN that OUT has in pieces which lie partly outside of the face, in projection to
-/// the face's mean plane, where its border is simple: a triangulation is to stay inside.
+/// its mean plane, where its border is simple, and along the axis nearest to that plane's normal.
 std::vector<Index> FoldedTriangulations(const PolygonSoup& in, const MeshMatch& match);
 
 }  // namespace cirque::verify
