@@ -118,9 +118,8 @@ TEST(AttachUv, APolygonWhoseTrianglesCoverEachOtherComesAsItsTriangles) {
     CornerUv uv;
     for (const Index v : surface.triangulation.vertex) {
       const double step = static_cast<double>((v - apex + 7) % 7);
-      uv.value.emplace_back(
-          v == apex ? Eigen::Vector2d::Zero()
-                    : step * Eigen::Vector2d(std::cos(angle * step), std::sin(angle * step)));
+      const double length = v == apex ? 0 : step;
+      uv.value.emplace_back(length * std::cos(angle * step), length * std::sin(angle * step));
     }
     EXPECT_TRUE(FlippedFaces(surface.triangulation, uv).empty());
     EXPECT_EQ(AttachUv(input, surface, uv).num_polygons(), angle < 1 ? 1 : 5);

@@ -198,6 +198,41 @@ TEST_F(Ladder, UnfoldsAtLastWhatNoFewerConesMap) {
   EXPECT_THAT(Tried(), ::testing::IsSupersetOf({"greedy", "l1", "curved_50", "curved_99"}));
 }
 
+/// Maps that are cut, of that mean distortion with the default's cones and with others.
+auto Distorted(double with_default, double with_others) {
+  return [=](const Road& road, Parameterization* map) {
+    Fill(&map->certificate.distortion).quasi_conformal_mean =
+        road.options.cones.empty() ? with_default : with_others;
+    map->cut.edge = {true};
+    return Status();
+  };
+}
+
+TEST_F(Ladder, AMapOfNoUseGetsConesWhereTheSurfaceIsCurved) {
+  EXPECT_TRUE(Climb({}, Distorted(5, 1.2)).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50"));
+  EXPECT_EQ(map_.certificate.ladder->since, "the map was distorted");
+  EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 1.2);
+}
+
+TEST_F(Ladder, AMapThatOtherConesDistortAsMuchStays) {
+  EXPECT_TRUE(Climb({}, Distorted(5, 3.5)).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50", "curved_99"));
+  EXPECT_EQ(map_.certificate.ladder->made_with, "");
+  EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 5);
+  for (const double fine : {1.0, 2.9}) {
+    EXPECT_TRUE(Climb({}, Distorted(fine, 1)).ok());
+    EXPECT_FALSE(map_.certificate.ladder.has_value());
+  }
+  Road unrefined, strict;
+  unrefined.options.refine_map = "none";
+  strict.options.strict = true;
+  for (const Road& asked : {unrefined, strict}) {
+    EXPECT_TRUE(Climb(asked, Distorted(5, 1)).ok());
+    EXPECT_FALSE(map_.certificate.ladder.has_value());
+  }
+}
+
 TEST_F(Ladder, CancellationEndsIt) {
   int calls = 0;
   const Status status = Climb({}, [&](const Road&, Parameterization*) {

@@ -210,6 +210,14 @@ struct Rung {
   int number;  ///< what `change` counts
 };
 
+/// Also for maps of more than kDistorted in the mean.
+constexpr Rung kCurved[] = {{"curved_50", "cones where half of the curvature is", false,
+                             MayChooseCones, PlaceWhereCurved, 5000},
+                            {"curved_99", "cones where 99 % of the curvature are", false,
+                             MayChooseCones, PlaceWhereCurved, 9900}};
+constexpr double kDistorted = 3;        ///< mean quasi-conformal distortion of a map of no use
+constexpr double kLessDistorted = 0.5;  ///< of what it is above 1, for which longer seams are taken
+
 constexpr Rung kRungs[] = {
     {"rigid_seams", "rigid seams along the cut", false, OpenedAlongCut, KeepSeamsRigid, 0},
     {"more_iterations", "more iterations for the radii", true, RadiiNeedMore, IterateMore,
@@ -231,10 +239,8 @@ constexpr Rung kRungs[] = {
     {"greedy_8", "eight times as many cones by greedy", false, MayChooseCones, PlaceGreedy, 8},
     {"moving", "cones by moving", false, MayChooseCones, PlaceMoving, 1},
     {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
-    {"curved_50", "cones where half of the curvature is", false, MayChooseCones, PlaceWhereCurved,
-     5000},
-    {"curved_99", "cones where 99 % of the curvature are", false, MayChooseCones, PlaceWhereCurved,
-     9900},
+    kCurved[0],
+    kCurved[1],
     {"unfolded", "cones wherever the surface is curved", false, MayChooseCones, PlaceWhereCurved,
      10000},
     {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
@@ -259,10 +265,12 @@ class Climb {
     last_ = Take(start_.asked, kAsAsked);
     keeper_.Keep(last_);
     const RoadEnd first = last_->end;
+    const std::shared_ptr<Taken> asked = last_;
     const bool settled = first == RoadEnd::kMap || first == RoadEnd::kStopped;
-    if (!settled && !start_.asked.options.strict) {
-      TryRungs();
-      keeper_.Describe(first);
+    if (!start_.asked.options.strict) {
+      if (!settled) TryRungs();
+      if (first != RoadEnd::kStopped) ReduceDistortion(*asked);
+      if (keeper_.HasTriedOthers() || !settled) keeper_.Describe(first);
     }
     *result = std::move(keeper_.kept().map);
     return keeper_.kept().status;
@@ -276,6 +284,35 @@ class Climb {
     taken->map.certificate.cone_repair = road.repair;
     keeper_.Note(name, timer.Seconds(), taken.get());
     return taken;
+  }
+
+  /// How much the kept map is distorted where other cones may be chosen: the image of a disk that is
+  /// not cut stays whole.
+  double Distortion() const {
+    const Taken& kept = keeper_.kept();
+    const std::optional<DistortionSummary>& distortion = kept.map.certificate.distortion;
+    const bool counts = kept.status.ok() && distortion && !kept.map.cut.IsEmpty() &&
+                        kept.road.options.refine_map == ParameterizeOptions().refine_map;
+    return counts ? distortion->quasi_conformal_mean : 1;
+  }
+
+  /// Cones wherever the surface is curved, instead of a map of no use.
+  void ReduceDistortion(const Taken& asked) {
+    std::optional<int> least_cones;
+    for (const Rung& rung : kCurved) {
+      const double distortion = Distortion();
+      if (!(distortion > kDistorted) || keeper_.HasTried(rung.name)) return;
+      const Ended last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
+                       asked.end, &least_cones};
+      Road next = asked.road;
+      if (!ByCircles(last) || !rung.applies(last) || !rung.change(last, rung.number, &next)) return;
+      const std::shared_ptr<Taken> taken = Take(next, rung.name);
+      keeper_.CountRung();
+      if (taken->status.code() == StatusCode::kCancelled) return keeper_.Keep(taken);
+      if (taken->end != RoadEnd::kMap) continue;
+      const double mean = taken->map.certificate.distortion->quasi_conformal_mean;
+      if (mean - 1 < kLessDistorted * (distortion - 1)) keeper_.Prefer(rung.made_with, taken);
+    }
   }
 
   void TryRungs() {

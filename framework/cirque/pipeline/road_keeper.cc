@@ -29,6 +29,8 @@ const char* WhyAnotherRoad(RoadEnd end) {
       return "no coherent angles exist without";
     case RoadEnd::kUnrepresentable:
       return "doubles could not hold the map";
+    case RoadEnd::kMap:
+      return "the map was distorted";
     default:
       return "the solve did not converge";
   }

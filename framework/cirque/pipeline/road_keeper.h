@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -64,6 +65,16 @@ class RoadKeeper {
 
   void CountRung() { ++ladder_.rungs_tried; }
   bool HasTriedOthers() const { return ladder_.tried.size() > 1; }
+  bool HasTried(const std::string& name) const {
+    return std::any_of(ladder_.tried.begin(), ladder_.tried.end(),
+                       [&](const RungSummary& tried) { return tried.rung == name; });
+  }
+
+  /// Keeps the road of a rung instead of a map.
+  void Prefer(const char* made_with, std::shared_ptr<Taken> taken) {
+    ladder_.made_with = made_with;
+    kept_ = std::move(taken);
+  }
 
   /// Writes the list into the kept road's certificate and, of a failure, that there is one into its
   /// message. `first`: how the road that was asked for ended.
