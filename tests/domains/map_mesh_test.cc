@@ -89,7 +89,7 @@ PolygonSoup TubeBesideTriangle(Index rings) {
 }
 
 TEST(MapMesh, AMapThatTheFrameHasNoDigitsForGetsCones) {
-  const PolygonSoup soup = TubeBesideTriangle(40);
+  const PolygonSoup soup = TubeBesideTriangle(50);
   const MappedMesh mapped = Mapped(soup, {}, {});
   ASSERT_TRUE(mapped.status.ok()) << mapped.status.message();
   const Certificate& tube = mapped.map.certificate.components.front();

@@ -104,9 +104,11 @@ TEST(AttachUv, WritesPolygonsAndTurnedFacesAsTheyStandInTheFile) {
 }
 
 TEST(AttachUv, APolygonWhoseTrianglesCoverEachOtherComesAsItsTriangles) {
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 7; ++i) {
-    points.emplace_back(std::cos(2 * kPi * i / 7), std::sin(2 * kPi * i / 7), 0);
+  // Between the others, which bend towards the first, is no room for a diagonal.
+  std::vector<Eigen::Vector3d> points = {{0, -10, 0}};
+  for (int i = 0; i < 6; ++i) {
+    const double x = 3 - 1.2 * i;
+    points.emplace_back(x, -0.2 * (9 - x * x), 0);
   }
   const PolygonSoup input = testing::MakeSoup(points, {{0, 1, 2, 3, 4, 5, 6}});
   const Surface surface = SurfaceOf(input);

@@ -28,8 +28,8 @@ struct LogScalesResult {
   CornerAngles angles;              ///< of intrinsic, flat [rad]
   Eigen::VectorXd log_lengths;      ///< of intrinsic, flat
   std::vector<DoubleDouble> extended_log_lengths;  ///< the same, as they were solved
-  double residual = kUnset;         ///< max |angle sum - target| [rad]
-  SolveSummary solve;               ///< the last; counts of all
+  double residual = kUnset;                        ///< max |angle sum - target| [rad]
+  SolveSummary solve;                              ///< the last; counts of all
 };
 
 /// Which edges are not flipped.

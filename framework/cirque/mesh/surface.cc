@@ -70,8 +70,12 @@ bool CoversItself(const MappedSurface& mapped, Index first, Index last) {
   std::vector<Index> twin;
   for (Index h = 3 * first; h < 3 * last; ++h) {
     const Index g = t.twin[Triangulation::Prev(h)];
-    const bool inside = g != kNone && g >= 3 * first && g < 3 * last;
-    twin.push_back(inside ? Triangulation::Next(g) - 3 * first : kNone);
+    const Index side = g == kNone ? kNone : Triangulation::Next(g);
+    // Where a polygon touches itself along a bridge the image may be open.
+    const bool inside = g != kNone && g >= 3 * first && g < 3 * last &&
+                        begin[h] == begin[Triangulation::Next(side)] &&
+                        begin[Triangulation::Next(h)] == begin[side];
+    twin.push_back(inside ? side - 3 * first : kNone);
   }
   return FindImageOverlap({uv, twin}).overlaps();
 }

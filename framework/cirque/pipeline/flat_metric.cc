@@ -6,12 +6,13 @@
 namespace cirque {
 namespace {
 
-constexpr double kRounding = 1e-10;  ///< [rad]
+constexpr double kRounding = 1e-10;    ///< [rad]
+constexpr double kLeastCorner = 1e-7;  ///< [rad]: squares of less are rounding
 
 bool HasPattern(const IntrinsicSurface& surface) {
   const Triangulation& t = surface.triangulation;
   const Eigen::VectorXd& alpha = surface.angles.value;
-  if (!(alpha.minCoeff() > 0)) return false;
+  if (!(alpha.minCoeff() > kLeastCorner)) return false;
   for (const Index h : t.edge_halfedge) {
     const Index g = t.twin[h];
     if (g != kNone && alpha[h] + alpha[g] > kPi + kRounding) return false;

@@ -17,7 +17,8 @@ struct FlatMetric {
 /// angle sums meet the targets and no intersection angle is negative, both but for rounding (1e-10
 /// rad). Such are surfaces of flat pieces: polygons in a plane, whose triangles may have needles
 /// and, in pairs, lie on one circle (theta = 0), where no margin would leave them as they are; and
-/// polyhedra whose cones are at their corners. Nothing where the surface is not flat.
+/// polyhedra whose cones are at their corners. Nothing where the surface is not flat, or has a corner
+/// below 1e-7 rad.
 std::optional<FlatMetric> FlatMetricOf(const IntrinsicSurface& surface, const ConeTargets& targets);
 
 }  // namespace cirque
