@@ -215,6 +215,19 @@ TEST_F(Ladder, AMapOfNoUseGetsConesWhereTheSurfaceIsCurved) {
   EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 1.2);
 }
 
+TEST_F(Ladder, WhatIsCutToAlmostEveryVertexAndStillDistortedIsUnfolded) {
+  const auto by_share = [](const Road& road, Parameterization* map) {
+    map->cut.edge = {true};
+    const std::string& cones = road.options.cones;
+    Fill(&map->certificate.distortion).quasi_conformal_mean = cones.ends_with("0.99") ? 4 : 1;
+    const bool few = !cones.starts_with("curvature_peaks") || cones.ends_with("0.5");
+    return few ? Unrepresentable() : Status();
+  };
+  EXPECT_TRUE(Climb({}, by_share).ok());
+  EXPECT_EQ(Tried().back(), "unfolded");
+  EXPECT_EQ(map_.certificate.ladder->made_with, "cones wherever the surface is curved");
+}
+
 TEST_F(Ladder, AMapThatOtherConesDistortAsMuchStays) {
   EXPECT_TRUE(Climb({}, Distorted(5, 3.5)).ok());
   EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50", "curved_99"));

@@ -182,12 +182,14 @@ bool PlaceL1(const Ended& last, int factor, Road* road) {
   return PlaceAnew(last, "l1", factor, road);
 }
 
+constexpr char kWhereCurved[] = "curvature_peaks:share=";
+
 /// Cones wherever the surface is curved: at last its own metric, unfolded, whose angles are coherent.
 bool PlaceWhereCurved(const Ended& last, int share_in_10000, Road* road) {
   const int max_iterations = road->options.max_iterations;
   *road = last.start.asked;
   road->options.max_iterations = max_iterations;
-  road->options.cones = fmt::format("curvature_peaks:share={}", share_in_10000 / 1e4);
+  road->options.cones = kWhereCurved + fmt::format("{}", share_in_10000 / 1e4);
   return true;
 }
 
@@ -210,11 +212,13 @@ struct Rung {
   int number;  ///< what `change` counts
 };
 
-/// Also for maps of more than kDistorted in the mean.
+/// Also for maps of more than kDistorted in the mean; the last where one before led to those.
 constexpr Rung kCurved[] = {{"curved_50", "cones where half of the curvature is", false,
                              MayChooseCones, PlaceWhereCurved, 5000},
                             {"curved_99", "cones where 99 % of the curvature are", false,
-                             MayChooseCones, PlaceWhereCurved, 9900}};
+                             MayChooseCones, PlaceWhereCurved, 9900},
+                            {"unfolded", "cones wherever the surface is curved", false,
+                             MayChooseCones, PlaceWhereCurved, 10000}};
 constexpr double kDistorted = 3;        ///< mean quasi-conformal distortion of a map of no use
 constexpr double kLessDistorted = 0.5;  ///< of what it is above 1, for which longer seams are taken
 
@@ -241,8 +245,7 @@ constexpr Rung kRungs[] = {
     {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
     kCurved[0],
     kCurved[1],
-    {"unfolded", "cones wherever the surface is curved", false, MayChooseCones, PlaceWhereCurved,
-     10000},
+    kCurved[2],
     {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
      IterateMore, kMoreIterations},
     {"equivalence", "discrete conformal equivalence instead of a circle pattern", false,
@@ -301,7 +304,10 @@ class Climb {
     std::optional<int> least_cones;
     for (const Rung& rung : kCurved) {
       const double distortion = Distortion();
-      if (!(distortion > kDistorted) || keeper_.HasTried(rung.name)) return;
+      if (!(distortion > kDistorted)) return;
+      const bool is_last = &rung == std::end(kCurved) - 1;
+      const bool is_cut_anyway = keeper_.kept().road.options.cones.starts_with(kWhereCurved);
+      if (keeper_.HasTried(rung.name) || (is_last && !is_cut_anyway)) continue;
       const Ended last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
                        asked.end, &least_cones};
       Road next = asked.road;
