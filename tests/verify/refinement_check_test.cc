@@ -41,6 +41,27 @@ struct Refined {
   }
 };
 
+TEST(RefinementCheck, SheetsAtAnEdgeOfThreeFacesHavePointsOfTheirOwn) {
+  // The first triangle has a point on the diagonal, which the others lack.
+  PolygonSoup in = Square(), out = Square();
+  out.position.emplace_back(0.5, 0.5, 0);
+  out.corner = {0, 1, 4, 1, 2, 4, 0, 2, 3};
+  out.first_corner = {0, 3, 6, 9};
+  auto report = CheckRefinement(in, out, {0, 0, 1});
+  ASSERT_TRUE(report.ok());
+  ASSERT_EQ(report->errors.size(), 1u);
+  EXPECT_THAT(report->errors[0], HasSubstr("other points from their other side"));
+  in.position.emplace_back(0.5, 0.5, 1);
+  in.corner.insert(in.corner.end(), {0, 2, 4});
+  in.first_corner.push_back(9);
+  out.position.insert(out.position.begin() + 4, in.position[4]);
+  out.corner = {0, 1, 5, 1, 2, 5, 0, 2, 3, 0, 2, 4};
+  out.first_corner.push_back(12);
+  report = CheckRefinement(in, out, {0, 0, 1, 2});
+  ASSERT_TRUE(report.ok());
+  EXPECT_TRUE(report->errors.empty()) << report->errors.front();
+}
+
 TEST(RefinementCheck, AcceptsWhatFillsEveryFace) {
   const Refined good;
   EXPECT_EQ(good.Errors(), "");

@@ -38,6 +38,7 @@ class RefinementChecker {
     for (std::size_t v = 0; v < in_.position.size(); ++v) {
       if (out_.position[v] != in_.position[v]) moved_.push_back(static_cast<Index>(v));
     }
+    for (Index f = 0; f < in_.num_polygons(); ++f) CountSides(f);
     for (Index f = 0; f < in_.num_polygons(); ++f) CheckFace(f);
     Tell("vertices that are not where IN has them", moved_);
     Tell("faces whose pieces do not have their border", without_border_);
@@ -73,6 +74,14 @@ class RefinementChecker {
       CompareAreas(f);
     } else {
       ++report_.num_polygons;
+    }
+  }
+
+  void CountSides(Index f) {
+    const Index first = in_.first_corner[f], end = in_.first_corner[f + 1];
+    for (Index c = first; c < end; ++c) {
+      const Edge edge = std::minmax(in_.corner[c], in_.corner[c + 1 == end ? first : c + 1]);
+      ++num_faces_at_[edge];
     }
   }
 
@@ -145,7 +154,8 @@ class RefinementChecker {
     if (chain.front() > chain.back()) std::reverse(chain.begin(), chain.end());
     const Edge edge(chain.front(), chain.back());
     const auto [known, is_new] = chains_.emplace(edge, chain);
-    if (!is_new && known->second != chain) unlike_.push_back(f);
+    // Of an edge of more than two faces every sheet has points of its own.
+    if (!is_new && known->second != chain && num_faces_at_[edge] == 2) unlike_.push_back(f);
   }
 
   static Point3 TwiceArea(const Point3& a, const Point3& b, const Point3& c) {
@@ -187,6 +197,7 @@ class RefinementChecker {
   const Buckets pieces_;
   const std::vector<bool> may_set_aside_;
   std::map<Edge, std::vector<Index>> chains_;  // the points on every edge of IN
+  std::map<Edge, int> num_faces_at_;           // its faces, those that may be set aside too
   std::vector<Index> moved_, without_border_, off_edge_, unlike_, turned_, wrong_area_;
   RefinementReport report_;
 };
