@@ -185,8 +185,9 @@ std::vector<Index> FoldedTriangulations(const PolygonSoup& in, const MeshMatch& 
     const bool reversed =
         std::binary_search(match.faces.reversed.begin(), match.faces.reversed.end(), f);
     const Places places(match, f);
+    const auto& cut = pieces;
     const auto leaves = [&](const Vector3d& along) {
-      return std::any_of(pieces.begin(), pieces.end(), [&](Index g) {
+      return std::any_of(cut.begin(), cut.end(), [&](Index g) {
         const double part = VectorArea(corners, places.OfPiece(g)).dot(along);
         return (reversed ? -part : part) < -kRounding * area.dot(along);
       });
