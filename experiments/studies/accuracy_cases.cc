@@ -88,13 +88,10 @@ double EllipticK(double k) {
   return kPi / (2 * a);
 }
 
-/// The vertex at this part of the boundary's edges.
+/// The vertex at this part of the way round the boundary.
 Index BoundaryVertex(const Triangulation& t, double part) {
-  std::vector<Index> vertices;
-  for (Index h = 0; h < t.num_halfedges(); ++h) {
-    if (t.twin[h] == kNone) vertices.push_back(t.Tail(h));
-  }
-  return vertices[static_cast<std::size_t>(part * static_cast<double>(vertices.size()))];
+  const std::vector<Index> loop = BoundaryLoops(t).front();
+  return t.Tail(loop[static_cast<std::size_t>(part * static_cast<double>(loop.size()))]);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct DiskCase {
   std::string generator;
   double radius = 1;  ///< of the image
   Index triangles = 0;
-  double pole = -1;  ///< part of the boundary edges, in the order of their halfedges, before the
+  double pole = -1;  ///< part of the way round the boundary, from its first halfedge on, of the
                      ///< vertex that the solve sends to infinity; below 0: chosen
   std::string refine_map = "auto";  ///< MapOptions::refine_map
 };

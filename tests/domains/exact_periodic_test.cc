@@ -15,6 +15,7 @@
 
 #include "tests/common/domain_maps.h"
 #include "tests/common/exact_maps.h"
+#include "tests/common/grid_surface.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -29,26 +30,9 @@ MapRequest ExactRequest(const std::string& domain, PatternKind pattern = Pattern
 
 /// The wall of a prism of n sides and height 3, of quads that are cut in two: flat.
 Surface Prism(int n) {
-  PolygonSoup soup;
-  constexpr int kRows = 4;
-  for (int j = 0; j <= kRows; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const double angle = 2 * kPi * i / n;
-      soup.position.emplace_back(std::cos(angle), std::sin(angle), 3.0 * j / kRows);
-    }
-  }
-  const auto number = [&](int i, int j) { return j * n + i % n; };
-  for (int j = 0; j < kRows; ++j) {
-    for (int i = 0; i < n; ++i) {
-      const int a = number(i, j), b = number(i + 1, j), c = number(i + 1, j + 1),
-                d = number(i, j + 1);
-      for (const int v : {a, b, c, a, c, d}) soup.corner.push_back(v);
-      for (int k = 1; k <= 2; ++k) {
-        soup.first_corner.push_back(static_cast<Index>(soup.corner.size()) - 6 + 3 * k);
-      }
-    }
-  }
-  return SurfaceOf(soup);
+  return Grid(n, 4, false, [](double angle, double part) {
+    return Eigen::Vector3d(std::cos(angle), std::sin(angle), 3 * part);
+  });
 }
 
 /// Twisted, so that diagonals are long.

@@ -14,6 +14,7 @@
 #include "cirque/metrics/injectivity.h"
 
 #include "tests/common/domain_maps.h"
+#include "tests/common/grid_surface.h"
 #include "tests/common/surfaces.h"
 
 namespace cirque {
@@ -21,30 +22,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using ::testing::HasSubstr;
-
-/// A grid of quads around and across, each cut in two; `wrap`: across is closed too.
-template <class Point>
-Surface Grid(int around, int across, bool wrap, const Point& point) {
-  PolygonSoup soup;
-  const int rows = wrap ? across : across + 1;
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < around; ++i) {
-      soup.position.push_back(point(2 * kPi * i / around, static_cast<double>(j) / across));
-    }
-  }
-  const auto number = [&](int i, int j) { return (j % rows) * around + i % around; };
-  for (int j = 0; j < across; ++j) {
-    for (int i = 0; i < around; ++i) {
-      const int a = number(i, j), b = number(i + 1, j), c = number(i + 1, j + 1),
-                d = number(i, j + 1);
-      for (const int v : {a, b, c, a, c, d}) soup.corner.push_back(v);
-      for (int k = 1; k <= 2; ++k) {
-        soup.first_corner.push_back(static_cast<Index>(soup.corner.size()) - 6 + 3 * k);
-      }
-    }
-  }
-  return SurfaceOf(soup);
-}
 
 /// The ring between two circles of radii 1 and r, the inner one about (shift, 0): the image of a
 /// concentric one under z -> (z + c) / (1 + c z), so that the grid is fine where the ring is thin.

@@ -129,11 +129,16 @@ bool IsPositive(const CornerUv& uv) {
 PlanarPiece::PlanarPiece(const Surface& surface, const Cut& cut, CornerUv* corners)
     : PlanarPiece(AreaOf(surface), PatchesOf(surface.triangulation, cut), corners) {}
 
+bool LeavesInPlace(const UvFrame& frame, std::size_t num_pieces) {
+  return num_pieces <= 1 && frame.size == UvSize::kAsIs;
+}
+
 ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces) {
   ArrangedAtlas arranged;
   if (pieces.empty()) return arranged;
+  const bool moves = !LeavesInPlace(frame, pieces.size());
   std::vector<bool> sound;
-  for (const PlanarPiece& piece : pieces) sound.push_back(IsPositive(*piece.uv));
+  for (const PlanarPiece& piece : pieces) sound.push_back(moves && IsPositive(*piece.uv));
   arranged.patches =
       pieces.size() > 1 ? PackPieces(frame, pieces) : static_cast<int>(pieces[0].patches.count);
   const Eigen::AlignedBox2d box = BoxOf(pieces);

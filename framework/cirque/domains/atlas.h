@@ -38,6 +38,9 @@ struct ArrangedAtlas {
   std::vector<std::size_t> lost;
 };
 
+/// Whether the frame leaves so many maps where they are.
+bool LeavesInPlace(const UvFrame& frame, std::size_t num_pieces);
+
 /// Puts the maps into the frame, all by similarities that keep orientation: several ones, and all of
 /// their patches, side by side (PackPatches). A single map keeps its place but for size.
 ArrangedAtlas ArrangeAtlas(const UvFrame& frame, const std::vector<PlanarPiece>& pieces);

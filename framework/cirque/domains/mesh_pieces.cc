@@ -51,11 +51,12 @@ void MapAgain(const std::vector<MeshPiece*>& pieces, const char* cones,
 
 /// One arrangement; where triangles are lost all maps stay where they are.
 ArrangedAtlas TryToArrange(const UvFrame& frame, const std::vector<MeshPiece*>& pieces) {
+  const bool moves = !LeavesInPlace(frame, pieces.size());
   std::vector<CornerUv> own;
   std::vector<PlanarPiece> planar;
   for (MeshPiece* piece : pieces) {
     SurfaceMap& map = piece->mapped.map;
-    own.push_back(map.uv);
+    if (moves) own.push_back(map.uv);
     planar.emplace_back(*piece->of.surface, map.cut, &map.uv);
   }
   ArrangedAtlas atlas = ArrangeAtlas(frame, planar);

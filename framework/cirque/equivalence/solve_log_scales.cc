@@ -12,6 +12,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/equivalence/double_surface.h"
 #include "cirque/equivalence/laplacian_newton.h"
+#include "cirque/intrinsic/metric_delaunay.h"
 #include "cirque/intrinsic/ptolemy_complex.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/solver/newton_strategies.h"
@@ -73,13 +74,6 @@ void ObeyGaussBonnet(Index num_faces, ScaleTargets* targets) {
   targets->angle_sum.array() += missing.Value() / n;
 }
 
-/// Flips of a metric without regard to any target.
-IntrinsicTriangulation DelaunayOf(const Triangulation& t, const EdgeLengths& lengths) {
-  const auto n = static_cast<std::size_t>(t.num_vertices);
-  const ConeTargets any{std::vector<double>(n, 0), std::vector<double>(n, 1e9)};
-  return MakeIntrinsicDelaunay(t, lengths, {&any, {}});
-}
-
 using Flips = ConformalEquivalenceEnergy::Flips;
 
 Flips FlipsOf(KeptEdges kept) { return kept == KeptEdges::kAll ? Flips::kNever : Flips::kPtolemy; }
@@ -97,7 +91,7 @@ class LogScaleSolve {
                 Flips flips, LogScalesResult* result)
       : t_(t),
         flips_(flips),
-        start_(flips == Flips::kNever ? AsItIs(t, lengths) : DelaunayOf(t, lengths)),
+        start_(flips == Flips::kNever ? AsItIs(t, lengths) : MakeDelaunayOfMetric(t, lengths)),
         targets_(std::move(targets)),
         result_(*result) {
     log_lengths_ = start_.lengths.value.array().log();

@@ -39,6 +39,19 @@ bool HasArea(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c
 
 }  // namespace
 
+void FlipExtended(Index h, const DoubleDouble& length, FlipComplex* complex,
+                  std::vector<double>* low) {
+  const Index g = complex->twin(h);
+  std::vector<double>& of = *low;
+  const double moved[4] = {of[Next(h)], of[Prev(h)], of[Next(g)], of[Prev(g)]};
+  complex->Flip(h, length.high, kNone);
+  of[Prev(g)] = moved[0];
+  of[Next(h)] = moved[1];
+  of[Prev(h)] = moved[2];
+  of[Next(g)] = moved[3];
+  of[h] = of[g] = length.low;
+}
+
 ExtendedComplex::ExtendedComplex(const Triangulation& t, const std::vector<DoubleDouble>& lengths)
     : complex_(t, Rounded(lengths)), low_(t.num_halfedges()) {
   for (Index h = 0; h < t.num_halfedges(); ++h) low_[h] = lengths[t.edge[h]].low;
@@ -76,13 +89,7 @@ bool ExtendedComplex::Turn(Index h) {
   const bool has_areas = HasArea(Length(Prev(h)), Length(Next(g)), length) &&
                          HasArea(Length(Next(h)), Length(Prev(g)), length);
   if (!has_areas) return false;
-  const double moved[4] = {low_[Next(h)], low_[Prev(h)], low_[Next(g)], low_[Prev(g)]};
-  complex_.Flip(h, length.high, kNone);
-  low_[Prev(g)] = moved[0];
-  low_[Next(h)] = moved[1];
-  low_[Prev(h)] = moved[2];
-  low_[Next(g)] = moved[3];
-  low_[h] = low_[g] = length.low;
+  FlipExtended(h, length, &complex_, &low_);
   return true;
 }
 

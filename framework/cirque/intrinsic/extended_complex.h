@@ -8,6 +8,11 @@
 
 namespace cirque {
 
+/// FlipComplex::Flip of h to a length with twice a double's digits, whose lower ones `low` has, of
+/// halfedges.
+void FlipExtended(Index h, const DoubleDouble& length, FlipComplex* complex,
+                  std::vector<double>* low);
+
 /// A Euclidean metric whose lengths have twice a double's digits, while its edges are flipped. A vertex
 /// that lies h off the side opposite it, of length 1, is in the lengths' digits below h^2: doubles no
 /// longer have one that is 1e-8 away, nor a needle's that is 1e-16 wide.

@@ -7,6 +7,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/parallel.h"
+#include "cirque/intrinsic/extended_complex.h"
 
 namespace cirque {
 namespace {
@@ -100,13 +101,7 @@ void PtolemyComplex::Flip(Index h) {
   const DoubleDouble one = LogLength(Next(h)) + LogLength(Next(g));
   const DoubleDouble other = LogLength(Prev(h)) + LogLength(Prev(g));
   const DoubleDouble length = LogAddExp(one, other) - LogLength(h);
-  const double moved[4] = {low_[Next(h)], low_[Prev(h)], low_[Next(g)], low_[Prev(g)]};
-  complex_.Flip(h, length.high, kNone);
-  low_[Prev(g)] = moved[0];
-  low_[Next(h)] = moved[1];
-  low_[Prev(h)] = moved[2];
-  low_[Next(g)] = moved[3];
-  low_[h] = low_[g] = length.low;
+  FlipExtended(h, length, &complex_, &low_);
   flips_.push_back(h);
 }
 

@@ -20,15 +20,6 @@ bool HasPattern(const IntrinsicSurface& surface) {
   return true;
 }
 
-bool Meets(const IntrinsicSurface& surface, const ConeTargets& targets) {
-  const std::vector<double> sum = VertexAngleSums(surface.triangulation, surface.angles);
-  for (std::size_t v = 0; v < sum.size(); ++v) {
-    if (sum[v] < targets.lower[v] - kRounding || sum[v] > targets.upper[v] + kRounding)
-      return false;
-  }
-  return true;
-}
-
 /// The circumradius of a face by the law of sines, of the corner whose sine is the largest.
 double LogCircumradius(const IntrinsicSurface& surface, Index face) {
   Index widest = 3 * face;
@@ -42,9 +33,24 @@ double LogCircumradius(const IntrinsicSurface& surface, Index face) {
 
 }  // namespace
 
+bool HasAngleSums(const IntrinsicSurface& surface, const ConeTargets& targets) {
+  const Triangulation& t = surface.triangulation;
+  std::vector<bool> seen(t.num_vertices, false);
+  // Vertex by vertex, since of most surfaces one of the first decides.
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const Index v = t.vertex[h];
+    if (seen[v]) continue;
+    seen[v] = true;
+    double sum = 0;
+    t.ForEachCornerAround(h, [&](Index corner) { sum += surface.angles.value[corner]; });
+    if (sum < targets.lower[v] - kRounding || sum > targets.upper[v] + kRounding) return false;
+  }
+  return true;
+}
+
 std::optional<FlatMetric> FlatMetricOf(const IntrinsicSurface& surface,
                                        const ConeTargets& targets) {
-  if (!HasPattern(surface) || !Meets(surface, targets)) return {};
+  if (!HasAngleSums(surface, targets) || !HasPattern(surface)) return {};
   FlatMetric flat{{surface.angles.value, 0}, {}};
   flat.log_radii.value.resize(surface.triangulation.num_faces());
   for (Index f = 0; f < surface.triangulation.num_faces(); ++f) {

@@ -13,6 +13,9 @@ struct FlatMetric {
   LogRadii log_radii;  ///< of the surface's own circumcircles
 };
 
+/// Whether the surface itself has the angle sums that are asked for, but for rounding (1e-10 rad).
+bool HasAngleSums(const IntrinsicSurface& surface, const ConeTargets& targets);
+
 /// The surface's own corner angles and circumradii, where they are what a flattening looks for: the
 /// angle sums meet the targets and no intersection angle is negative, both but for rounding (1e-10
 /// rad). Such are surfaces of flat pieces: polygons in a plane, whose triangles may have needles

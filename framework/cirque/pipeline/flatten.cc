@@ -11,7 +11,9 @@
 #include "cirque/angles/infeasibility.h"
 #include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
+#include "cirque/intrinsic/metric_delaunay.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/pipeline/flat_metric.h"
 #include "cirque/pipeline/retriangulate.h"
 #include "cirque/pipeline/solve_flat_metric.h"
 #include "cirque/pipeline/untangle_chart.h"
@@ -20,8 +22,6 @@
 namespace cirque {
 namespace {
 
-constexpr double kRounding = 1e-10;      ///< [rad], of FlatMetricOf
-constexpr double kAnyAngle = 1e9;        ///< [rad]: an angle sum is less
 constexpr double kKeptShare = 1.0 / 15;  ///< of the mesh's extent, round what came out flipped
 
 /// The faces and all that can be reached from them over that many edges.
@@ -127,26 +127,14 @@ class Flattening {
     return rounds_solved_ > 0 || has_start_ ? FitStart::kMultipliers : FitStart::kZero;
   }
 
-  /// Whether the surface itself has the angle sums that are asked for: flips then need leave no room
-  /// for others.
-  bool HasTargets() const {
-    const std::vector<double> sum = VertexAngleSums(input_, job_.surface.angles);
-    for (std::size_t v = 0; v < sum.size(); ++v) {
-      if (sum[v] < targets_.lower[v] - kRounding || sum[v] > targets_.upper[v] + kRounding) {
-        return false;
-      }
-    }
-    return true;
-  }
-
   StatusOr<std::vector<Index>> SolveRound(const std::vector<bool>& locked) {
     ++*flips_.delaunay_rounds;
     const Timer timer;
     job_.control.BeginStage("triangulation");
-    const ConeTargets any = {std::vector<double>(input_.num_vertices, 0),
-                             std::vector<double>(input_.num_vertices, kAnyAngle)};
-    result_.intrinsic = MakeIntrinsicDelaunay(input_, job_.surface.lengths,
-                                              {HasTargets() ? &any : &targets_, locked});
+    result_.intrinsic =
+        HasAngleSums(job_.surface, targets_)
+            ? MakeDelaunayOfMetric(input_, job_.surface.lengths, locked)
+            : MakeIntrinsicDelaunay(input_, job_.surface.lengths, {&targets_, locked});
     AddSeconds(timer, &certificate_.seconds.triangulation);
     if (Status s = FlipForTheFit(); !s.ok()) return s;
     if (Status s = Solve(Begin()); !s.ok()) return s;

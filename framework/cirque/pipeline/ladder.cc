@@ -156,16 +156,21 @@ int LeastConesAfter(const Ended& last) {
   return wide ? ConesForOneChart(surface, least) : least;
 }
 
-/// The road that was asked for, with other cones.
+/// The road that was asked for, with other cones; what was learnt of iterations stays.
+void AskAnew(const Ended& last, std::string cones, Road* road) {
+  const int max_iterations = road->options.max_iterations;
+  *road = last.start.asked;
+  road->options.max_iterations = max_iterations;
+  road->options.cones = std::move(cones);
+}
+
+/// The same, so many times as many as to begin with.
 bool PlaceAnew(const Ended& last, const std::string& heuristic, int factor, Road* road) {
   const Triangulation& t = last.start.surface.triangulation;
   if (!*last.least_cones) *last.least_cones = LeastConesAfter(last);
   const int count = factor * **last.least_cones;
   if (count > kMostCones || (factor > 1 && count > t.num_vertices / 2)) return false;
-  const int max_iterations = road->options.max_iterations;
-  *road = last.start.asked;
-  road->options.max_iterations = max_iterations;
-  road->options.cones = heuristic;
+  AskAnew(last, heuristic, road);
   road->options.cone_budget = count;
   return true;
 }
@@ -186,10 +191,7 @@ constexpr char kWhereCurved[] = "curvature_peaks:share=";
 
 /// Cones wherever the surface is curved: at last its own metric, unfolded, whose angles are coherent.
 bool PlaceWhereCurved(const Ended& last, int share_in_10000, Road* road) {
-  const int max_iterations = road->options.max_iterations;
-  *road = last.start.asked;
-  road->options.max_iterations = max_iterations;
-  road->options.cones = kWhereCurved + fmt::format("{}", share_in_10000 / 1e4);
+  AskAnew(last, kWhereCurved + fmt::format("{}", share_in_10000 / 1e4), road);
   return true;
 }
 
@@ -289,6 +291,16 @@ class Climb {
     return taken;
   }
 
+  /// Takes a rung's road; null: it does not apply. One that was cancelled is kept.
+  std::shared_ptr<Taken> TakeRung(const Rung& rung, const Ended& last) {
+    Road next = last.road;
+    if (!rung.applies(last) || !rung.change(last, rung.number, &next)) return nullptr;
+    std::shared_ptr<Taken> taken = Take(next, rung.name);
+    keeper_.CountRung();
+    if (taken->status.code() == StatusCode::kCancelled) keeper_.Keep(taken);
+    return taken;
+  }
+
   /// How much the kept map is distorted where other cones may be chosen: the image of a disk that is
   /// not cut stays whole.
   double Distortion() const {
@@ -310,11 +322,8 @@ class Climb {
       if (keeper_.HasTried(rung.name) || (is_last && !is_cut_anyway)) continue;
       const Ended last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
                        asked.end, &least_cones};
-      Road next = asked.road;
-      if (!ByCircles(last) || !rung.applies(last) || !rung.change(last, rung.number, &next)) return;
-      const std::shared_ptr<Taken> taken = Take(next, rung.name);
-      keeper_.CountRung();
-      if (taken->status.code() == StatusCode::kCancelled) return keeper_.Keep(taken);
+      const std::shared_ptr<Taken> taken = ByCircles(last) ? TakeRung(rung, last) : nullptr;
+      if (!taken || taken->status.code() == StatusCode::kCancelled) return;
       if (taken->end != RoadEnd::kMap) continue;
       const double mean = taken->map.certificate.distortion->quasi_conformal_mean;
       if (mean - 1 < kLessDistorted * (distortion - 1)) keeper_.Prefer(rung.made_with, taken);
@@ -327,11 +336,9 @@ class Climb {
     for (const Rung& rung : kRungs) {
       const Ended last{start_,     last_->road, last_->end, last_->map, first->map.targets,
                        first->end, &least_cones};
-      Road next = last_->road;
-      if (!rung.applies(last) || !rung.change(last, rung.number, &next)) continue;
-      const std::shared_ptr<Taken> taken = Take(next, rung.name);
-      keeper_.CountRung();
-      if (taken->status.code() == StatusCode::kCancelled) return keeper_.Keep(taken);
+      const std::shared_ptr<Taken> taken = TakeRung(rung, last);
+      if (!taken) continue;
+      if (taken->status.code() == StatusCode::kCancelled) return;
       if (taken->end == RoadEnd::kStopped) continue;  // a heuristic that finds no cones here
       last_ = taken;
       if (keeper_.KeepBest(rung.made_with, rung.same_targets, taken)) return;
