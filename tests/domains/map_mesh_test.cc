@@ -59,6 +59,38 @@ TEST(MapMesh, EveryFaceOfAnUncleanMeshComesBackAndTheJudgeAgrees) {
   EXPECT_TRUE(verdict->valid) << verdict->verdict;
 }
 
+/// Three polygons: triangles with a bridge between them, triangles that meet at a vertex, a triangle
+/// with a spur; and a square whose other side of the bridge is left open.
+TEST(MapMesh, LoopsOfAPolygonAreMappedEachForItself) {
+  PolygonSoup soup;
+  for (const auto& [x, y] : {std::pair(0, 0),
+                             {-1, 1},
+                             {-1, -1},
+                             {2, 0},
+                             {3, -1},
+                             {3, 1},
+                             {0, 2},
+                             {1, 3},
+                             {0, 3},
+                             {0, -2},
+                             {2, -2}}) {
+    soup.position.emplace_back(x, y, 0);
+  }
+  for (const std::vector<std::int64_t>& face : {std::vector<std::int64_t>{0, 1, 2, 0, 3, 4, 5, 3},
+                                                {6, 7, 8, 6, 1, 0},
+                                                {0, 2, 9, 0, 10, 0},
+                                                {0, 10, 4, 3}}) {
+    ASSERT_EQ(AddPolygon(face, &soup), "");
+  }
+  const auto map = MapSurface(ArraysOf(soup));
+  ASSERT_TRUE(map.ok()) << map.status().message();
+  EXPECT_FALSE(map->certificate.mesh_repair && map->certificate.mesh_repair->num_set_aside() > 0);
+  EXPECT_EQ(map->mesh.num_polygons(), 6);
+  const auto verdict = JudgeMap(soup, map->mesh, {});
+  ASSERT_TRUE(verdict.ok()) << verdict.status().message();
+  EXPECT_TRUE(verdict->valid) << verdict->verdict;
+}
+
 /// A tube of six sides and `rings` rings, closed at one end, beside a triangle: the free boundary leaves
 /// its far end e^rings times smaller than the near one.
 PolygonSoup TubeBesideTriangle(Index rings) {

@@ -80,7 +80,7 @@ const std::vector<MappedCase>& MappedCases() {
       {"bowtie.obj", "", 1.05, {"1 vertex split", "2 mapped"}},
       {"tjunc.obj", "", kIsometric, {"2 vertices split", "1 T-junction"}},
       {"dupface.obj", "", 1.05, {"1 face set aside"}},
-      {"degen.stl", "", 1.05, {"1 face of fewer than three vertices set aside"}},
+      {"degen.stl", "", 1.05, {"1 face with a vertex twice set aside"}},
       {"zeroarea.obj", "", kIsometric, {"1 face of no area set aside"}},
       {"modelnet.off", "", 1.05, {}},
       {"trailing.off", "", 1.05, {"more follows than the header promises"}},

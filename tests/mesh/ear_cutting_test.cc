@@ -173,6 +173,17 @@ TEST(EarCutting, AConvexPolygonOfManyCornersIsCutFromAllSides) {
   EXPECT_LE(*std::max_element(triangles.begin(), triangles.end()), 24);  // not a fan
 }
 
+TEST(EarCutting, ABentPolygonIsLookedAtAlongItsNormalWhereItCrossesItselfAlongTheAxis) {
+  const Points polygon = {{-1, -1, 2}, {0, 2, -2}, {1, 2, -2}, {-1, -2, -1}, {-1, -2, 2}};
+  Points along_axis = polygon;
+  for (Eigen::Vector3d& p : along_axis) p.x() = 0;
+  ASSERT_EQ(NewellNormal(polygon), Eigen::Vector3d(-16, 2, -5));
+  ASSERT_TRUE(CutEars(along_axis).empty());
+  const PolygonTriangles triangles = CutEars(polygon);
+  EXPECT_EQ(triangles.size(), 3u);
+  for (const auto& t : triangles) EXPECT_GT(Cross(polygon, t).dot(NewellNormal(polygon)), 0);
+}
+
 TEST(EarCutting, WhatIsNoSimplePolygonHasNoTriangles) {
   EXPECT_TRUE(CutEars(InPlane({{0, 0}, {1, 1}, {1, 0}, {0, 1}})).empty());  // a bow tie
   EXPECT_TRUE(CutEars(InPlane({{0, 0}, {1, 0}, {2, 0}, {3, 0}})).empty());  // no area

@@ -109,6 +109,32 @@ TEST(MatchFaces, PolygonsMayBeCutAnyWay) {
   EXPECT_THAT(MatchFaces(Faces(in), Faces(reversed)).reversed, ElementsAre(0, 1));
 }
 
+// Files have polygons that name a corner twice in a row, the first again at the end among them.
+TEST(MatchFaces, PiecesOfAPolygonKnowNothingOfCornersThatRepeatTheOneBefore) {
+  const std::vector<Face> in = {{0, 1, 1, 2, 3, 4, 0}, {1, 0, 5}};
+  const std::vector<Face> out = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {1, 0, 5}};
+  const std::vector<Face> in_other_order = {out[3], out[2], out[0], out[1]};
+  for (const std::vector<Face>& faces : {out, in_other_order}) {
+    EXPECT_TRUE(MatchFaces(Faces(in), Faces(faces)).complete());
+  }
+  EXPECT_FALSE(MatchFaces(Faces(in), Faces({out[0], out[1], out[3]})).complete());
+  EXPECT_TRUE(MatchFaces(Faces(in), Faces(in)).complete());
+}
+
+// 0 1 2 and 3 4 5 with a bridge between 0 and 3; two triangles that meet at 0; a spur at 0.
+TEST(MatchFaces, LoopsThatHangTogetherHaveTrianglesEachForItself) {
+  const std::vector<Face> in = {{0, 1, 2, 0, 3, 4, 5, 3}, {0, 1, 2, 0, 6, 7}, {0, 1, 2, 0, 6}};
+  const std::vector<Face> pieces = {{0, 1, 2}, {3, 4, 5}, {0, 6, 7}};
+  EXPECT_TRUE(MatchFaces(Faces({in[0]}), Faces({pieces[1], pieces[0]})).complete());
+  EXPECT_TRUE(MatchFaces(Faces({in[1]}), Faces({pieces[0], pieces[2]})).complete());
+  const Correspondence spur = MatchFaces(Faces({in[2]}), Faces({pieces[0]}));
+  EXPECT_TRUE(spur.complete());
+  EXPECT_EQ(spur.pieces.count(0), 1u);
+  EXPECT_FALSE(MatchFaces(Faces({in[0]}), Faces({pieces[0]})).complete());
+  EXPECT_FALSE(MatchFaces(Faces({in[1]}), Faces({pieces[0], pieces[1]})).complete());
+  EXPECT_FALSE(MatchFaces(Faces({in[2]}), Faces({{0, 2, 1}, {0, 1, 6}})).complete());
+}
+
 TEST(MatchFaces, PiecesThatDoNotFillAPolygonAreNoneOfIt) {
   const std::vector<Face> in = {{0, 1, 2, 3, 4}};
   for (const std::vector<Face>& out : {std::vector<Face>{{0, 1, 2}, {0, 2, 3}},

@@ -65,6 +65,26 @@ TEST(VerifyMapRepairs, AFaceThatGoesRoundTwiceIsSetAside) {
   EXPECT_THAT(report->set_aside, ElementsAre(2));
 }
 
+TEST(VerifyMapRepairs, LoopsThatMeetAtAVertexAndSpursAreSetAsideAndAKeyholeIsNot) {
+  const std::vector<Eigen::Vector2d> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4},
+                                               {1, 1}, {2, 1}, {1, 2}};
+  const PolygonSoup loops = Flat(kSquare, {{0, 1, 2}, {4, 1, 2, 4, 3, 0}, {0, 2, 3, 0, 1}});
+  const PolygonSoup with_hole = Flat(points, {{0, 1, 2, 3, 0, 4, 6, 5, 4}});
+  PolygonSoup out = loops;
+  Collapse(1, &out);
+  Collapse(2, &out);
+  const auto aside = VerifyMap(loops, out, {});
+  ASSERT_TRUE(aside.ok()) << aside.status().message();
+  EXPECT_TRUE(aside->valid()) << aside->Verdict();
+  EXPECT_THAT(aside->set_aside, ElementsAre(1, 2));
+  out = with_hole;
+  Collapse(0, &out);
+  const auto collapsed = VerifyMap(with_hole, out, {});
+  ASSERT_TRUE(collapsed.ok()) << collapsed.status().message();
+  EXPECT_FALSE(collapsed->valid());
+  EXPECT_TRUE(VerifyMap(with_hole, with_hole, {})->valid());
+}
+
 TEST(VerifyMapRepairs, AFlippedFaceBesideOneThatIsSetAsideIsFound) {
   const PolygonSoup in = Flat(kSquare, {{0, 1, 2}, {0, 4, 1}, {0, 2, 3}});
   PolygonSoup out = in;

@@ -33,8 +33,9 @@ bool IsZeroArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen:
 /// vertices, and at which corner a polygon begins, makes no difference. A quad is split along the
 /// diagonal with the larger least angle whose triangles face one way, others by ears
 /// (ear_cutting.h), or along the best fan where there are none. Then RaiseValences. A polygon that
-/// runs along an edge twice, a keyhole round a hole, is split like others, and its edge is glued.
-/// Others that repeat a vertex are left out; those of zero area are split all the same. Polygons
+/// runs along an edge twice, a keyhole round a hole, is split like others, and its edge is glued; one
+/// that comes back to a vertex in loops that face one way, loop by loop, into fewer triangles. Others
+/// that repeat a vertex are left out; those of zero area are split all the same. Polygons
 /// with a vertex that is not finite are not judged by area.
 TriangleSoup SplitIntoTriangles(const PolygonSoup& soup, BadFaces* bad);
 

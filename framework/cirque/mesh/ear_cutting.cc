@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <queue>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -14,15 +15,27 @@ namespace {
 
 using Polygon = std::span<const Eigen::Vector3d>;
 
+using FlatPolygon = std::vector<Eigen::Vector2d>;
+
 /// The polygon without the coordinate in which its normal is longest, counter-clockwise.
-std::vector<Eigen::Vector2d> Flattened(Polygon polygon) {
-  const Eigen::Vector3d normal = NewellNormal(polygon);
+FlatPolygon AlongAxis(Polygon polygon, const Eigen::Vector3d& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const int u = (axis + (normal[axis] < 0 ? 2 : 1)) % 3,
             v = (axis + (normal[axis] < 0 ? 1 : 2)) % 3;
-  std::vector<Eigen::Vector2d> flat;
+  FlatPolygon flat;
   for (const Eigen::Vector3d& x : polygon) flat.emplace_back(x[u], x[v]);
+  return flat;
+}
+
+/// The polygon as it is seen along its normal, rounded.
+FlatPolygon AlongNormal(Polygon polygon, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  FlatPolygon flat;
+  for (const Eigen::Vector3d& p : polygon) {
+    const Eigen::Vector3d from_first = p - polygon[0];
+    flat.emplace_back(from_first.dot(x), from_first.dot(y));
+  }
   return flat;
 }
 
@@ -34,9 +47,9 @@ struct Ear {
 
 class EarCutter {
  public:
-  explicit EarCutter(Polygon polygon)
+  EarCutter(Polygon polygon, FlatPolygon flat)
       : polygon_(polygon),
-        flat_(Flattened(polygon)),
+        flat_(std::move(flat)),
         size_(static_cast<Index>(polygon.size())),
         gone_(size_, false),
         queue_([this](const Ear& x, const Ear& y) { return IsBetter(y, x); }) {
@@ -146,7 +159,7 @@ class EarCutter {
   }
 
   const Polygon polygon_;
-  const std::vector<Eigen::Vector2d> flat_;
+  const FlatPolygon flat_;
   const Index size_;
   std::vector<Index> next_, prev_;  ///< of the corners that are left
   std::vector<bool> gone_;
@@ -181,8 +194,11 @@ Eigen::Vector3d NewellNormal(Polygon polygon) {
 }
 
 PolygonTriangles CutEars(Polygon polygon) {
-  if (polygon.size() < 3 || NewellNormal(polygon).isZero(0)) return {};
-  return EarCutter(polygon).Cut();
+  if (polygon.size() < 3) return {};
+  const Eigen::Vector3d normal = NewellNormal(polygon);
+  if (normal.isZero(0)) return {};
+  PolygonTriangles ears = EarCutter(polygon, AlongAxis(polygon, normal)).Cut();
+  return ears.empty() ? EarCutter(polygon, AlongNormal(polygon, normal)).Cut() : ears;
 }
 
 }  // namespace cirque

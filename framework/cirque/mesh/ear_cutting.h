@@ -17,10 +17,10 @@ using PolygonTriangles = std::vector<std::array<Index, 3>>;
 /// the one with the largest least angle first, of equal ones that whose corner has the least
 /// coordinates, so that it does not matter where the polygon begins (G. Meisters, Polygons have
 /// ears, Amer. Math. Monthly 82, 1975). The polygon is looked at along the axis that its normal
-/// (Newell) is nearest to, its corners decided exactly; points on a straight side are corners like
-/// others and no triangle is flat. The polygon may touch itself at corners and along whole sides, as
-/// a keyhole does that leads to a hole inside. Empty for a polygon that crosses itself as seen so,
-/// or has no area. O(n log n + n r) with r corners that are not convex.
+/// (Newell) is nearest to, its corners decided exactly, and where it crosses itself as seen so,
+/// being bent, along the normal; points on a straight side are corners like others and no triangle
+/// is flat. The polygon may touch itself at corners and along whole sides, as a keyhole does that
+/// leads to a hole inside. Empty for a polygon that crosses itself either way, or has no area. O(n log n + n r) with r corners that are not convex.
 PolygonTriangles CutEars(std::span<const Eigen::Vector3d> polygon);
 
 /// The cosine of the least angle of a triangle: small for a good one. Rounded to nine digits, so that

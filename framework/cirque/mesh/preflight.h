@@ -66,7 +66,8 @@ StatusOr<RepairOptions> ParseRepair(const std::string& text);
 /// in increasing order.
 struct RepairSummary {
   std::vector<Index> zero_area_faces;        ///< set aside
-  std::vector<Index> repeated_vertex_faces;  ///< set aside: fewer than three different vertices
+  std::vector<Index> repeated_vertex_faces;  ///< set aside: fewer than three different vertices, or
+                                             ///< loops that face both ways
   std::vector<Index> duplicate_faces;  ///< set aside: an earlier one has the same vertices, and an
                                        ///< edge has more than two faces
   std::vector<Index> welded_vertices;  ///< made one with an earlier one

@@ -162,8 +162,8 @@ std::string RepairSummary::Text() const {
   text += Line(welded_vertices,
                repair + Vertices(welded_vertices.size()) + " welded to an earlier one");
   text += Line(zero_area_faces, repair + Faces(zero_area_faces.size()) + " of no area set aside");
-  text += Line(repeated_vertex_faces, repair + Faces(repeated_vertex_faces.size()) +
-                                          " of fewer than three vertices set aside");
+  text += Line(repeated_vertex_faces,
+               repair + Faces(repeated_vertex_faces.size()) + " with a vertex twice set aside");
   text += Line(duplicate_faces, repair + Faces(duplicate_faces.size()) + " set aside, since " +
                                     "an earlier one has the same vertices");
   if (!split_edges.empty()) {

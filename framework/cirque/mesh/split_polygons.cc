@@ -99,20 +99,63 @@ PolygonTriangles BestFan(const Points& point) {
   return best;
 }
 
-/// A quad along its better diagonal; other polygons by ears, or by a fan where there are none (a
-/// polygon that crosses itself, or is bent).
+using Loop = std::vector<Index>;
+
+/// The places of a polygon's corners, in turn, taken apart wherever it comes back to a point: loops
+/// that come to no point twice. What it passes there and back at once is in none.
+std::vector<Loop> LoopsOf(const Points& point) {
+  std::vector<Loop> loops;
+  Loop open;
+  for (Index place = 0; place < static_cast<Index>(point.size()); ++place) {
+    const auto back =
+        std::find_if(open.begin(), open.end(), [&](Index at) { return point[at] == point[place]; });
+    if (back != open.end()) {
+      loops.emplace_back(back, open.end());
+      open.erase(back, open.end());
+    }
+    open.push_back(place);
+  }
+  loops.push_back(std::move(open));
+  std::erase_if(loops, [](const Loop& loop) { return loop.size() < 3; });
+  return loops;
+}
+
+PolygonTriangles SplitLoops(const Points& point);
+
+/// A quad along its better diagonal; other polygons by ears, by loops where they come back to a
+/// point, or by a fan where there are none (a polygon that crosses itself, or is bent).
 PolygonTriangles FindSplit(const Points& point) {
   if (point.size() > 4) {
     PolygonTriangles ears = CutEars(point);
     if (!ears.empty() && !HasZeroArea(point, ears)) return ears;
+    PolygonTriangles of_loops = SplitLoops(point);
+    if (!of_loops.empty()) return of_loops;
   }
   return BestFan(point);
 }
 
-/// The same of a polygon that has a vertex more than once: a keyhole. Fans know nothing of those.
-PolygonTriangles FindKeyholeSplit(const Points& point) {
+/// Loops that hang together at points or by bridges, each for itself, where all face one way. Empty:
+/// there are none, or they do not.
+PolygonTriangles SplitLoops(const Points& point) {
+  const std::vector<Loop> loops = LoopsOf(point);
+  if (loops.size() == 1 && loops[0].size() == point.size()) return {};
+  const Eigen::Vector3d normal = NewellNormal(point);
+  PolygonTriangles all;
+  for (const Loop& loop : loops) {
+    Points of_loop;
+    for (const Index place : loop) of_loop.push_back(point[place]);
+    const PolygonTriangles triangles = FindSplit(of_loop);
+    if (triangles.empty() || !(NewellNormal(of_loop).dot(normal) > 0)) return {};
+    for (const auto& t : triangles) all.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
+  }
+  return all;
+}
+
+/// The same of a polygon that has a vertex more than once: a keyhole, or loops. Fans know nothing of
+/// those.
+PolygonTriangles FindSplitWithRepeats(const Points& point) {
   PolygonTriangles ears = CutEars(point);
-  return HasZeroArea(point, ears) ? PolygonTriangles() : ears;
+  return ears.empty() || HasZeroArea(point, ears) ? SplitLoops(point) : ears;
 }
 
 /// What is known of a polygon before it is split.
@@ -127,7 +170,7 @@ Judgement Judge(const PolygonSoup& soup, Corners corners) {
   const auto finite = [&](Index v) { return soup.position[v].allFinite(); };
   if (!std::all_of(corners.begin(), corners.end(), finite)) return judgement;
   if (judgement.repeats_vertex) {
-    judgement.triangles = FindKeyholeSplit(PointsOf(soup, corners));
+    judgement.triangles = FindSplitWithRepeats(PointsOf(soup, corners));
     judgement.repeats_vertex = judgement.triangles.empty();
     return judgement;
   }

@@ -80,8 +80,32 @@ bool CoversItself(const MappedSurface& mapped, Index first, Index last) {
   return FindImageOverlap({uv, twin}).overlaps();
 }
 
+/// How many triangles fill a polygon that comes to no vertex twice but in a row.
+Index NumTriangles(const PolygonSoup& input, Index p) {
+  Index sides = 0, before = input.corner[input.first_corner[p + 1] - 1];
+  for (Index c = input.first_corner[p]; c < input.first_corner[p + 1]; ++c) {
+    sides += input.corner[c] != before;
+    before = input.corner[c];
+  }
+  return sides - 2;
+}
+
+/// Polygons that have fewer triangles than fill their border: loops that are apart in the image.
+void FindLoops(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces,
+               std::vector<bool>* torn) {
+  std::vector<Index> count(input.num_polygons(), 0);
+  for (const MappedSurface& mapped : surfaces) {
+    for (const Index p : mapped.surface.soup_polygon) {
+      if (p != kNone) ++count[p];
+    }
+  }
+  for (Index p = 0; p < input.num_polygons(); ++p) {
+    if (count[p] > 0 && count[p] < NumTriangles(input, p)) (*torn)[p] = true;
+  }
+}
+
 /// The UV of every corner of the input, null where no surface has it, and the polygons that cannot
-/// stand as they are: their triangles do not agree on one, or cover each other.
+/// stand as they are: their triangles do not agree on one, cover each other, or are loops.
 struct CornerSources {
   std::vector<const Uv*> uv;
   std::vector<bool> torn;
@@ -106,6 +130,7 @@ CornerSources FindSources(const PolygonSoup& input, const std::vector<MappedSurf
       sources.torn[p] = CoversItself({surface, uv}, first, last);
     }
   }
+  FindLoops(input, surfaces, &sources.torn);
   return sources;
 }
 

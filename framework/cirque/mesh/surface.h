@@ -50,7 +50,7 @@ struct MappedSurface {
 /// texture coordinates: equal UVs of the corners at one vertex are written once. A corner that no
 /// surface has gets the UV of another one of its polygon, and a polygon that no surface has the UV
 /// of one of its vertices at all of its corners, which has no area. A polygon that is torn along a
-/// diagonal, or that covers itself in the image, comes as its triangles. What circle_patterns writes.
+/// diagonal, that covers itself in the image, or that is several loops comes as its triangles. What circle_patterns writes.
 PolygonSoup AttachUv(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces);
 PolygonSoup AttachUv(const PolygonSoup& input, const Surface& surface, const CornerUv& uv);
 

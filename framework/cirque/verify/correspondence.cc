@@ -62,11 +62,22 @@ std::vector<Cycle> SortedCycles(const NamedFaces& faces, const std::vector<char>
 
 using NamedEdge = std::pair<Index, Index>;
 
+/// Those between two names: pieces of a polygon know nothing of corners that repeat the one before.
 void AppendEdges(const NamedFaces& faces, Index f, bool backwards, std::vector<NamedEdge>* edges) {
   const Cycle cycle{&faces, f, 0, backwards};
   for (Index k = 0; k < cycle.size(); ++k) {
-    edges->emplace_back(cycle[k], cycle[k + 1 < cycle.size() ? k + 1 : 0]);
+    const NamedEdge edge(cycle[k], cycle[k + 1 < cycle.size() ? k + 1 : 0]);
+    if (edge.first != edge.second) edges->push_back(edge);
   }
+}
+
+/// How many triangles fill a polygon, corners that repeat the one before counted once; of one with
+/// less than three others, as if they were not counted so.
+Index NumTriangles(const NamedFaces& faces, Index f) {
+  const Index n = faces.NumCorners(f);
+  Index sides = 0;
+  for (Index k = 0; k < n; ++k) sides += faces.Name(f, k) != faces.Name(f, k + 1 < n ? k + 1 : 0);
+  return (sides < 3 ? n : sides) - 2;
 }
 
 class Matcher {
@@ -92,10 +103,14 @@ class Matcher {
     result_.out_face.assign(in_.num_faces(), kNone);
   }
 
+  bool IsWhole(Index f, const std::vector<Index>& faces_of_out) const {
+    return faces_of_out.size() == 1 && out_.NumCorners(faces_of_out[0]) == in_.NumCorners(f);
+  }
+
   void Take(Index f, const std::vector<Index>& faces_of_out, bool backwards) {
     in_taken_[f] = true;
     for (const Index g : faces_of_out) out_taken_[g] = true;
-    if (faces_of_out.size() == 1) {
+    if (IsWhole(f, faces_of_out)) {
       result_.out_face[f] = faces_of_out[0];
     } else {
       result_.pieces[f] = faces_of_out;
@@ -109,7 +124,7 @@ class Matcher {
     Index g = 0;
     for (Index f = 0; f < in_.num_faces(); ++f) {
       std::vector<Index> faces_of_out;
-      for (Index missing = in_.NumCorners(f) - 2; missing > 0 && g < out_.num_faces(); ++g) {
+      for (Index missing = NumTriangles(in_, f); missing > 0 && g < out_.num_faces(); ++g) {
         faces_of_out.push_back(g);
         missing -= out_.NumCorners(g) - 2;
       }
@@ -131,23 +146,25 @@ class Matcher {
   }
 
   /// Whether the faces of OUT, glued where two have an edge in opposite directions, have the border
-  /// of face f of IN, and no more corners than such pieces have.
+  /// of face f of IN, and as many corners as such pieces have. Loops that hang together at a vertex
+  /// or by a bridge have less, each for itself.
   bool IsBorder(Index f, const std::vector<Index>& faces_of_out, bool backwards) const {
-    if (faces_of_out.size() == 1) {
+    if (IsWhole(f, faces_of_out)) {
       const Index g = faces_of_out[0];
       return IsNamed(out_, g) &&
              Compare(Normalized(in_, f, false), Normalized(out_, g, backwards)) == 0;
     }
-    Index missing = in_.NumCorners(f) - 2;
+    Index missing = NumTriangles(in_, f);
     for (const Index g : faces_of_out) {
       missing -= out_.NumCorners(g) - 2;
       if (missing < 0 || !IsNamed(out_, g)) return false;
     }
-    if (missing != 0) return false;
     std::vector<NamedEdge> border, edges, other_sides;
     AppendEdges(in_, f, false, &border);
     std::set<Index> names;
     for (const NamedEdge& edge : border) names.insert(edge.first);
+    const bool has_loops = names.size() < border.size() && missing % 2 == 0;
+    if (faces_of_out.empty() || (missing != 0 && !has_loops)) return false;
     for (const Index g : faces_of_out) {
       if (!HasOnly(g, names)) return false;
     }
@@ -196,9 +213,14 @@ class Matcher {
     AppendEdges(in_, f, false, &wanted);
     std::set<Index> names;
     for (const NamedEdge& edge : wanted) names.insert(edge.first);
+    // A bridge or spur has pieces of the face on both sides or on none.
+    const std::set<NamedEdge> border(wanted.begin(), wanted.end());
+    std::erase_if(wanted, [&](const NamedEdge& edge) {
+      return border.contains({edge.second, edge.first});
+    });
     std::set<NamedEdge> had;
     std::set<Index> found;
-    Index missing = in_.NumCorners(f) - 2;
+    Index missing = NumTriangles(in_, f);
     for (std::size_t i = 0; i < wanted.size() && missing > 0; ++i) {
       if (had.contains(wanted[i])) continue;
       const Index g = PieceWith(wanted[i], names, edges);
@@ -208,7 +230,7 @@ class Matcher {
       AppendEdges(out_, g, backwards, &of_piece);
       for (const auto& [tail, tip] : of_piece) {
         had.emplace(tail, tip);
-        wanted.emplace_back(tip, tail);
+        if (!border.contains({tail, tip})) wanted.emplace_back(tip, tail);
       }
     }
     return {found.begin(), found.end()};

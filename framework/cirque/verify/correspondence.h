@@ -36,7 +36,8 @@ struct Correspondence {
 
 /// Faces correspond when their corners have the same names in turn, from whichever corner on; those
 /// that are left when their corners have the same names in reverse; and a polygon of IN that is
-/// still left to faces of OUT that, glued along diagonals of the polygon, have its border.
+/// still left to faces of OUT that, glued along diagonals of the polygon, have its border, in which
+/// corners that repeat the name of the one before count once.
 /// O(n log n) with n corners.
 Correspondence MatchFaces(const NamedFaces& in, const NamedFaces& out);
 

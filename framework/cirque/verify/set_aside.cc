@@ -53,15 +53,37 @@ void ForEachSide(const PolygonSoup& in, Index f, const Visit& visit) {
   }
 }
 
-/// Whether the face passes one of its sides twice the same way, as no polygon does.
-bool PassesASideTwice(const PolygonSoup& in, Index f) {
+/// The sides of a face as it passes them, from tail to tip.
+std::vector<Side> PassedSides(const PolygonSoup& in, Index f) {
   std::vector<Side> passed;
   for (Index c = in.first_corner[f]; c < in.first_corner[f + 1]; ++c) {
     const Index next = c + 1 < in.first_corner[f + 1] ? c + 1 : in.first_corner[f];
     if (in.corner[c] != in.corner[next]) passed.emplace_back(in.corner[c], in.corner[next]);
   }
+  return passed;
+}
+
+Side Back(const Side& side) { return {side.second, side.first}; }
+
+/// Whether the face is none that could be cut into triangles: it turns back along a side at once, or
+/// passes one twice the same way, or comes twice to a vertex from which no side leads that it passes
+/// both ways, as keyholes do: two loops that meet there.
+bool IsNoPolygon(const PolygonSoup& in, Index f) {
+  std::vector<Side> passed = PassedSides(in, f);
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    if (passed[(i + 1) % passed.size()] == Back(passed[i])) return true;
+  }
   std::sort(passed.begin(), passed.end());
-  return std::adjacent_find(passed.begin(), passed.end()) != passed.end();
+  for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
+    if (passed[i] == passed[i + 1]) return true;
+    if (passed[i].first != passed[i + 1].first) continue;
+    const bool is_keyhole = std::any_of(passed.begin(), passed.end(), [&](const Side& side) {
+      return side.first == passed[i].first &&
+             std::binary_search(passed.begin(), passed.end(), Back(side));
+    });
+    if (!is_keyhole) return true;
+  }
+  return false;
 }
 
 /// The sides of more than two of the faces that are not left out.
@@ -84,7 +106,7 @@ std::vector<bool> MaySetAside(const PolygonSoup& in) {
   std::vector<bool> aside(in.num_polygons());
   for (Index f = 0; f < in.num_polygons(); ++f) {
     const std::vector<Index> vertices = DifferentVertices(in, f);
-    aside[f] = vertices.size() < 3 || AreInLine(in, vertices) || PassesASideTwice(in, f);
+    aside[f] = vertices.size() < 3 || AreInLine(in, vertices) || IsNoPolygon(in, f);
     ForEachSide(in, f, [&](const Side& side) {
       if (in.position[side.first] == in.position[side.second]) aside[f] = true;
     });

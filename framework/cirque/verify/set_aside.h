@@ -9,9 +9,10 @@ namespace cirque::verify {
 
 /// Faces of IN of which a map need not speak, since they add nothing to the surface or cannot be
 /// cut into triangles with an area: those with fewer than three different vertices, those that pass
-/// one of their sides twice the same way, those whose corners lie on one line (to 1e-12 of their size), those with two different vertices at one place,
-/// one after the other, and at edges of more than two faces those with the vertices of an earlier
-/// one there.
+/// one of their sides twice the same way or turn back along it or are loops that meet at a vertex,
+/// those whose corners lie on one line (to 1e-12 of their size), those with two different vertices at
+/// one place, one after the other, and at edges of more than two faces those with the vertices of an
+/// earlier one there.
 std::vector<bool> MaySetAside(const PolygonSoup& in);
 
 /// Those of `faces` whose images have no area, exactly: they cover nothing and turn nothing over. The
