@@ -1,35 +1,20 @@
 #pragma once
 
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "cirque/core/metric.h"
 #include "cirque/core/solve_summary.h"
 #include "cirque/core/status.h"
 #include "cirque/core/triangulation.h"
-#include "cirque/energy/conformal_equivalence_energy.h"
+#include "cirque/equivalence/scaled_metric.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
-#include "cirque/math/double_double.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
 
 /// A discretely conformally equivalent flat metric, or how far the solve came.
-struct LogScalesResult {
-  /// Where it was solved, Delaunay in the flat metric: the surface's triangulation or, `doubled`,
-  /// its double's after flips. The first `euclidean_flips` of its flips keep the surface's metric,
-  /// those after are Ptolemy flips, and `lengths` are the unscaled ones of Ptolemy's theorem.
-  IntrinsicTriangulation intrinsic;
-  bool doubled = false;
-  int euclidean_flips = 0;
-  IntrinsicTriangulation delaunay;  ///< after those: of the surface's (or its double's) own metric
-  Eigen::VectorXd log_scale;        ///< u, V of the surface
-  CornerAngles angles;              ///< of intrinsic, flat [rad]
-  Eigen::VectorXd log_lengths;      ///< of intrinsic, flat
-  std::vector<DoubleDouble> extended_log_lengths;  ///< the same, as they were solved
-  double residual = kUnset;                        ///< max |angle sum - target| [rad]
-  SolveSummary solve;                              ///< the last; counts of all
+struct LogScalesResult : ScaledMetric {
+  bool doubled = false;             ///< of the surface's double; log_scale is V of the surface
+  IntrinsicTriangulation delaunay;  ///< of the surface's (or its double's) own metric
+  SolveSummary solve;               ///< the last; counts of all
 };
 
 /// Which edges are not flipped.

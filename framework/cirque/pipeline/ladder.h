@@ -1,36 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "cirque/core/metric.h"
 #include "cirque/core/status.h"
-#include "cirque/intrinsic/intrinsic_surface.h"
-#include "cirque/pipeline/certificate.h"
-#include "cirque/pipeline/options.h"
+#include "cirque/pipeline/ladder_rungs.h"
 #include "cirque/pipeline/parameterization.h"
-#include "cirque/pipeline/summaries.h"
 
 namespace cirque {
 
-/// One road from a surface to its map: how, and for which targets.
-struct Road {
-  ParameterizeOptions options = {};
-  std::optional<ConeTargets> targets = {};       ///< nothing: as the options place them
-  std::optional<ConeRepairSummary> repair = {};  ///< what was done to the cones of a road before
-};
-
 /// Takes a road, as far as it leads.
 using TakeARoad = std::function<Status(const Road& road, Parameterization* result)>;
-
-/// Where the ladder stands.
-struct LadderStart {
-  const IntrinsicSurface& surface;
-  const Road& asked;  ///< with the user's targets, if there are any
-  bool cut_given = false;
-};
 
 /// Takes the road that was asked for. Where it leads to no map, or to an inaccurate one, the rungs
 /// of the ladder that apply are tried, each once, in the order of LadderRungs(), each from where the
@@ -43,8 +22,5 @@ struct LadderStart {
 /// widened (RepairCones) but not replaced, those of a file not even that. Cones where nobody asked
 /// for any come to surfaces with a boundary only where no cut was given.
 Status ClimbLadder(const LadderStart& start, const TakeARoad& take, Parameterization* result);
-
-/// The names of the rungs, in order.
-std::vector<std::string> LadderRungs();
 
 }  // namespace cirque
