@@ -139,7 +139,7 @@ bool ScaleProblem::IsClosed() const {
   return std::find(twin.begin(), twin.end(), kNone) == twin.end();
 }
 
-ConformalEquivalenceEnergy ScaleProblem::EnergyFrom(const Scales& scales) const {
+ConformalEquivalenceEnergy ScaleProblem::EnergyFrom(const VertexScales& scales) const {
   return {start.triangulation, log_lengths, targets, flips, scales};
 }
 

@@ -13,9 +13,10 @@
 
 namespace cirque {
 
+using VertexScales = std::vector<DoubleDouble>;  ///< V
+
 /// A closed surface, or one with a boundary whose edges stay, and the angle sums asked for.
 struct ScaleProblem {
-  using Scales = std::vector<DoubleDouble>;  ///< V
   using Flips = ConformalEquivalenceEnergy::Flips;
 
   ScaleProblem(const Triangulation& triangulation, const EdgeLengths& lengths, ScaleTargets targets,
@@ -24,15 +25,13 @@ struct ScaleProblem {
   bool IsClosed() const;
 
   /// Whose u is counted from the scales.
-  ConformalEquivalenceEnergy EnergyFrom(const Scales& scales) const;
+  ConformalEquivalenceEnergy EnergyFrom(const VertexScales& scales) const;
 
   const Flips flips;
   const IntrinsicTriangulation start;  ///< Delaunay, unless nothing is flipped
   const ScaleTargets targets;
   const Eigen::VectorXd log_lengths;  ///< of start
 };
-
-using VertexScales = ScaleProblem::Scales;
 
 /// A metric scaled by exp(u), flat but for cones.
 struct ScaledMetric {

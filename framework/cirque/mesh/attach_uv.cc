@@ -45,16 +45,10 @@ Index NumTriangles(const PolygonSoup& input, Index p) {
 }
 
 /// Polygons that have fewer triangles than fill their border: loops that are apart in the image.
-void FindLoops(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces,
+void FindLoops(const PolygonSoup& input, const std::vector<Index>& num_triangles,
                std::vector<bool>* torn) {
-  std::vector<Index> count(input.num_polygons(), 0);
-  for (const MappedSurface& mapped : surfaces) {
-    for (const Index p : mapped.surface.soup_polygon) {
-      if (p != kNone) ++count[p];
-    }
-  }
   for (Index p = 0; p < input.num_polygons(); ++p) {
-    if (count[p] > 0 && count[p] < NumTriangles(input, p)) (*torn)[p] = true;
+    if (num_triangles[p] > 0 && num_triangles[p] < NumTriangles(input, p)) (*torn)[p] = true;
   }
 }
 
@@ -68,6 +62,7 @@ struct CornerSources {
 CornerSources FindSources(const PolygonSoup& input, const std::vector<MappedSurface>& surfaces) {
   CornerSources sources{std::vector<const Uv*>(input.corner.size(), nullptr),
                         std::vector<bool>(input.num_polygons(), false)};
+  std::vector<Index> num_triangles(input.num_polygons(), 0);
   for (const auto& [surface, uv] : surfaces) {
     CHECK_EQ(uv.value.size(), surface.triangulation.vertex.size());
     for (std::size_t h = 0; h < uv.value.size(); ++h) {
@@ -80,11 +75,13 @@ CornerSources FindSources(const PolygonSoup& input, const std::vector<MappedSurf
     for (Index first = 0, last = 0; first < num_faces; first = last) {
       const Index p = surface.soup_polygon[first];
       while (last < num_faces && surface.soup_polygon[last] == p) ++last;
-      if (last - first < 3 || p == kNone || sources.torn[p]) continue;
+      if (p == kNone) continue;
+      num_triangles[p] += last - first;
+      if (last - first < 3 || sources.torn[p]) continue;
       sources.torn[p] = CoversItself({surface, uv}, first, last);
     }
   }
-  FindLoops(input, surfaces, &sources.torn);
+  FindLoops(input, num_triangles, &sources.torn);
   return sources;
 }
 

@@ -122,16 +122,18 @@ std::vector<Loop> LoopsOf(const Points& point) {
 
 PolygonTriangles SplitLoops(const Points& point);
 
-/// A quad along its better diagonal; other polygons by ears, by loops where they come back to a
-/// point, or by a fan where there are none (a polygon that crosses itself, or is bent).
+/// By ears, or by loops where the polygon comes back to a point. Empty: it has neither.
+PolygonTriangles FindEarsOrLoops(const Points& point) {
+  PolygonTriangles ears = CutEars(point);
+  return ears.empty() || HasZeroArea(point, ears) ? SplitLoops(point) : ears;
+}
+
+/// A quad along its better diagonal; other polygons by ears or loops, or by a fan where there are
+/// none (a polygon that crosses itself, or is bent).
 PolygonTriangles FindSplit(const Points& point) {
-  if (point.size() > 4) {
-    PolygonTriangles ears = CutEars(point);
-    if (!ears.empty() && !HasZeroArea(point, ears)) return ears;
-    PolygonTriangles of_loops = SplitLoops(point);
-    if (!of_loops.empty()) return of_loops;
-  }
-  return BestFan(point);
+  PolygonTriangles triangles;
+  if (point.size() > 4) triangles = FindEarsOrLoops(point);
+  return triangles.empty() ? BestFan(point) : triangles;
 }
 
 /// Loops that hang together at points or by bridges, each for itself, where all face one way. Empty:
@@ -151,13 +153,6 @@ PolygonTriangles SplitLoops(const Points& point) {
   return all;
 }
 
-/// The same of a polygon that has a vertex more than once: a keyhole, or loops. Fans know nothing of
-/// those.
-PolygonTriangles FindSplitWithRepeats(const Points& point) {
-  PolygonTriangles ears = CutEars(point);
-  return ears.empty() || HasZeroArea(point, ears) ? SplitLoops(point) : ears;
-}
-
 /// What is known of a polygon before it is split.
 struct Judgement {
   bool repeats_vertex = false, has_area = true;
@@ -170,7 +165,8 @@ Judgement Judge(const PolygonSoup& soup, Corners corners) {
   const auto finite = [&](Index v) { return soup.position[v].allFinite(); };
   if (!std::all_of(corners.begin(), corners.end(), finite)) return judgement;
   if (judgement.repeats_vertex) {
-    judgement.triangles = FindSplitWithRepeats(PointsOf(soup, corners));
+    // A keyhole, or loops: fans know nothing of those.
+    judgement.triangles = FindEarsOrLoops(PointsOf(soup, corners));
     judgement.repeats_vertex = judgement.triangles.empty();
     return judgement;
   }

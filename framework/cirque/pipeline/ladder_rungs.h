@@ -63,7 +63,8 @@ std::span<const Rung> CurvedRungs();
 /// Whether a road's cones are those of such a rung.
 bool IsConedWhereCurved(const Road& road);
 
-/// Angles and radii are of no use to conformal equivalence.
+/// Whether it was a circle pattern's: rungs about angles and radii are of no use to conformal
+/// equivalence.
 bool ByCircles(const EndedRoad& last);
 
 }  // namespace cirque
