@@ -12,7 +12,10 @@ if(CIRQUE_CHOLMOD AND NOT TARGET cirque::cholmod)
   target_include_directories(cirque::cholmod SYSTEM INTERFACE ${CIRQUE_CHOLMOD_INCLUDE_DIR})
   target_link_libraries(cirque::cholmod INTERFACE ${CIRQUE_CHOLMOD_LIBRARY})
   # Debian's libceres brings in ATLAS, whose BLAS would otherwise shadow OpenBLAS for CHOLMOD: the
-  # first library in link order that defines dgemm_ wins, needed by our own code or not.
-  target_link_options(cirque::cholmod INTERFACE
+  # first library in link order that defines dgemm_ wins, needed by our own code or not. Programs
+  # with the property CIRQUE_HOLDS_OPENBLAS have it inside.
+  set(CIRQUE_SHARED_BLAS
     "SHELL:-Wl,--push-state,--no-as-needed ${CIRQUE_OPENBLAS_LIBRARY} -Wl,--pop-state")
+  target_link_options(cirque::cholmod INTERFACE
+    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:CIRQUE_HOLDS_OPENBLAS>>>:${CIRQUE_SHARED_BLAS}>")
 endif()

@@ -27,13 +27,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-/// Takes a mesh in the plane as its own map, x times FACTOR.
+/// Takes a mesh in the plane as its own map, x times FACTOR; lives long enough to be looked at.
 std::string Projection(const std::string& factor) {
   return "#!/bin/sh\n"
          "awk -v k=" +
          factor +
          " '/^v /{print; print \"vt\", k*$2, $3} /^f /{print \"f\", $2 \"/\" $2, $3 \"/\" $3, $4 "
-         "\"/\" $4}' \"$1\" > \"$2\"\n";
+         "\"/\" $4}' \"$1\" > \"$2\"\nsleep 0.05\n";
 }
 
 class RunExperimentPeers : public ::testing::Test {

@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kPause(2);
+// Between two looks at a program: short at first, for programs that end at once.
+constexpr std::chrono::microseconds kFirstPause(100), kLongestPause(2000);
 constexpr std::size_t kLastWords = 300;  ///< of a program that failed, in the message
 constexpr std::size_t kMostErrors = 3;   ///< of a wrong map, in the message
 
@@ -67,7 +68,7 @@ std::string LastWords(const ChildProcess& process) {
 
 /// Waits for the program, which it ends at a limit; the outcome where that was needed.
 std::optional<std::string> Await(const RunLimits& limits, ChildProcess* process, double* peak_mib) {
-  while (!process->HasEnded()) {
+  for (auto pause = kFirstPause; !process->HasEnded(); pause = std::min(2 * pause, kLongestPause)) {
     *peak_mib = std::max(*peak_mib, process->ResidentMib());
     const bool too_long = limits.seconds > 0 && process->Seconds() > limits.seconds;
     const bool too_large = limits.memory_mib > 0 && *peak_mib > limits.memory_mib;
@@ -75,7 +76,7 @@ std::optional<std::string> Await(const RunLimits& limits, ChildProcess* process,
       process->Kill();
       return too_long ? kTimeLimit : kMemoryLimit;
     }
-    std::this_thread::sleep_for(kPause);
+    std::this_thread::sleep_for(pause);
   }
   return std::nullopt;
 }

@@ -1,0 +1,33 @@
+# A program with its libraries inside. A dynamic loader looks up the 14,000 names in OpenBLAS' tables of
+# kernels at every start, which is a quarter of the time that a mesh of 1,000 triangles takes.
+option(CIRQUE_LINK_ARCHIVES "Link circle_patterns with the archives of OpenBLAS, CHOLMOD and glog, where they are" ON)
+
+# The archives and what they call in shared libraries; NOTFOUND where one is missing.
+function(find_archives RESULT)
+  set(FOUND)
+  foreach(FILE cholmod.a amd.a camd.a ccolamd.a colamd.a suitesparseconfig.a cxsparse.a openblas.a
+               glog.a gflags.a metis.so.5 gfortran.so.5 gomp.so.1 unwind.so.8)
+    find_library(CIRQUE_LIB_${FILE} lib${FILE} PATH_SUFFIXES openblas-pthread)
+    mark_as_advanced(CIRQUE_LIB_${FILE})
+    if(NOT CIRQUE_LIB_${FILE})
+      message(STATUS "circle_patterns: linked with shared libraries (no lib${FILE})")
+      set(${RESULT} NOTFOUND PARENT_SCOPE)
+      return()
+    endif()
+    list(APPEND FOUND ${CIRQUE_LIB_${FILE}})
+  endforeach()
+  set(${RESULT} ${FOUND} PARENT_SCOPE)
+endfunction()
+
+function(link_archives PROGRAM)
+  if(NOT CIRQUE_LINK_ARCHIVES OR NOT CIRQUE_CHOLMOD OR CIRQUE_SANITIZE)
+    return()
+  endif()
+  find_archives(ARCHIVES)
+  if(ARCHIVES)
+    set_property(TARGET ${PROGRAM} PROPERTY CIRQUE_HOLDS_OPENBLAS ON)  # asked by cirque::cholmod
+    target_link_libraries(${PROGRAM} PRIVATE "$<LINK_GROUP:RESCAN,cirque,Ceres::ceres,${ARCHIVES}>")
+    # The program's own openblas_num_threads_env takes the place of that of OpenBLAS.
+    target_link_options(${PROGRAM} PRIVATE -Wl,-z,muldefs)
+  endif()
+endfunction()
