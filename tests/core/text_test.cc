@@ -9,6 +9,7 @@ TEST(Text, NearestWordFindsMisspellingsAndNothingElse) {
   const std::vector<std::string> known = {"newton", "newton_cg", "ceres_line_search"};
   EXPECT_EQ(NearestWord("newtn", known), "newton");
   EXPECT_EQ(NearestWord("ceres_linesearch", known), "ceres_line_search");
+  EXPECT_EQ(NearestWord("conse", {"con", "cones"}), "cones");  // two neighbours exchanged
   EXPECT_EQ(NearestWord("interior", known), "");
   EXPECT_EQ(NearestWord("x", {}), "");
   EXPECT_EQ(NearestWord(std::string(100000000, 'n'), known), "");

@@ -18,7 +18,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kReach = 1.5;  ///< of a cap; 1 is the hemisphere
+constexpr double kReach = 1.5;      ///< of a cap; 1 is the hemisphere
+constexpr int kPutBackRounds = 10;  ///< after which the refinement is given up
 
 /// Makes the faces with `keep` a surface: where they would leave a vertex with several fans of
 /// corners, all of its faces go.
@@ -120,6 +121,28 @@ double MeanEnergy(const Triangulation& t, const EdgeLengths& lengths, const Sphe
   return faces.area.dot((q + q.inverse() - 2).matrix()) / faces.area.sum();
 }
 
+/// Triangles in a plane that keep their side may lose it on the chords: their vertices go back to where
+/// they were, in every round with one ring more.
+void PutBackFlipped(const Triangulation& t, const SphereChart& chart, const PlaneWithPole& before,
+                    PlaneWithPole* refined) {
+  std::vector<bool> back(t.num_vertices, false);
+  for (int round = 0; round < kPutBackRounds; ++round) {
+    const std::vector<Index> flipped = FlippedSphericalFaces(t, LiftAll(*refined, chart));
+    if (flipped.empty()) return;
+    std::vector<bool> wider = back;
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      if (back[t.vertex[h]]) wider[t.Tail(h)] = true;
+    }
+    for (const Index f : flipped) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) wider[t.vertex[h]] = true;
+    }
+    back = std::move(wider);
+    for (Index v = 0; v < t.num_vertices; ++v) {
+      if (back[v]) refined->position[v] = before.position[v];
+    }
+  }
+}
+
 /// Adds what a cap took.
 void Add(const std::optional<MapRefinementSummary>& cap, MapRefinementSummary* both) {
   if (!cap) return;
@@ -148,6 +171,7 @@ Status RefineOnSphere(const Triangulation& t, const EdgeLengths& lengths, const 
   if (Status s = refiner.RefineCap(false, refine_map, cancelled, &centre); !s.ok()) return s;
   if (Status s = refiner.RefineCap(true, refine_map, cancelled, &infinity); !s.ok()) return s;
   PlaneWithPole refined = refiner.Plane();
+  PutBackFlipped(t, chart, *plane, &refined);
   MapRefinementSummary both;
   Add(centre, &both);
   Add(infinity, &both);
