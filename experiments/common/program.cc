@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -20,16 +19,8 @@
 
 #include "cirque/linear/blas_threads.h"
 
+#include "experiments/common/openblas.h"
 #include "experiments/common/process.h"
-
-// Defined in a program, it takes the place of OpenBLAS', which asks it while it is loaded how many
-// threads to make. They would spin beside a short run until it ends, and where the address space is
-// limited (ulimit -v) end the program for want of room, or wait for ever for buffers that do not
-// fit. 0 lets OpenBLAS decide.
-extern "C" int openblas_num_threads_env() {
-  const char* threads = std::getenv("OPENBLAS_NUM_THREADS");
-  return threads ? std::max(0, std::atoi(threads)) : 1;
-}
 
 namespace cirque {
 namespace {
@@ -102,6 +93,7 @@ int RunMain(std::string_view name, int argc, char** argv, int (*body)(int argc, 
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);
   std::set_terminate(OnTerminate);
+  ForgetOpenBlasKernels();
   UseOneBlasThread();
   UseOneHeap();
   FLAGS_logtostderr = true;

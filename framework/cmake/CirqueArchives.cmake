@@ -26,8 +26,13 @@ function(link_archives PROGRAM)
   find_archives(ARCHIVES)
   if(ARCHIVES)
     set_property(TARGET ${PROGRAM} PROPERTY CIRQUE_HOLDS_OPENBLAS ON)  # asked by cirque::cholmod
-    target_link_libraries(${PROGRAM} PRIVATE "$<LINK_GROUP:RESCAN,cirque,Ceres::ceres,${ARCHIVES}>")
-    # The program's own openblas_num_threads_env takes the place of that of OpenBLAS.
+    # What experiments/common/openblas.cc defines comes first and takes the place of OpenBLAS' own, and
+    # of that of the shared OpenBLAS that PETSc brings.
+    target_link_libraries(${PROGRAM} PRIVATE
+      experiments_common "$<LINK_GROUP:RESCAN,cirque,Ceres::ceres,${ARCHIVES}>")
     target_link_options(${PROGRAM} PRIVATE -Wl,-z,muldefs)
+    foreach(NAME openblas_read_env openblas_verbose openblas_num_threads_env)
+      target_link_options(${PROGRAM} PRIVATE -Wl,--export-dynamic-symbol=${NAME})
+    endforeach()
   endif()
 endfunction()

@@ -130,6 +130,39 @@ TEST_F(Environment, LackOfMemoryIsAMessageAndAStatusSlow) {
   }
 }
 
+#if defined(CIRQUE_CHOLMOD) && defined(__x86_64__)
+// OpenBLAS takes processors that it does not know for one without vectors.
+TEST_F(Environment, KernelsOfOpenBlasSuitTheProcessor) {
+  for (const char* program : {"circle_patterns", "run_experiment"}) {
+    const auto kernels = [&](const std::string& set) {
+      return RunShell(set + " OPENBLAS_VERBOSE=2 " + Program(program) + " --version").output;
+    };
+    const std::string chosen = kernels("env -u OPENBLAS_CORETYPE");
+    EXPECT_THAT(chosen, HasSubstr("Core: "));
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+      EXPECT_THAT(chosen, Not(HasSubstr("Core: Prescott")));
+    }
+    EXPECT_THAT(kernels("OPENBLAS_CORETYPE=Prescott"), HasSubstr("Core: Prescott"));
+  }
+}
+#endif
+
+// The variable is taken back: programs of others choose for themselves.
+TEST_F(Environment, ProgramsThatAreStartedAreToldNothingOfKernels) {
+  const std::string peer = folder_.Write(
+      "peer.sh", "#!/bin/sh\n[ -z \"$OPENBLAS_CORETYPE\" ] || exit 9\ncp \"$1\" \"$2\"\n");
+  fs::permissions(peer, fs::perms::owner_all);
+  const std::string config = folder_.Write(
+      "a.yaml",
+      "question: why\nmeshes:\n  - generator: flat_delaunay_patch\n    triangles: 100\n"
+      "methods:\n  - name: a\npeer: {name: p, command: \"./peer.sh {in} {out}\"}\n");
+  RunShell(fmt::format("env -u OPENBLAS_CORETYPE {} --report=false --output={} {}",
+                       Program("run_experiment"), folder_.Path("results"), config));
+  const std::string records = folder_.Read("results/results.jsonl");
+  EXPECT_THAT(records, HasSubstr("peer.sh"));
+  EXPECT_THAT(records, Not(HasSubstr("exit status 9")));
+}
+
 TEST_F(Environment, ChildrenAreWaitedForThoughTheParentIgnoredThem) {
   const std::string config =
       folder_.Write("a.yaml",
