@@ -7,7 +7,10 @@
 namespace cirque {
 namespace {
 
-constexpr double kDistorted = 3;        ///< mean quasi-conformal distortion of a map of no use
+/// Mean quasi-conformal distortion of a map of no use, and of one of little: of a coarse surface, whose
+/// few triangles cannot bend and which a few cones unfold.
+constexpr double kDistorted = 3, kDistortedCoarse = 1.5;
+constexpr Index kCoarse = 1000;         ///< vertices
 constexpr double kLessDistorted = 0.5;  ///< of what it is above 1, for which longer seams are taken
 
 /// A road taken.
@@ -67,12 +70,17 @@ class Climb {
     return counts ? distortion->quasi_conformal_mean : 1;
   }
 
-  /// Cones wherever the surface is curved, instead of a map of no use.
+  double MostDistorted() const {
+    const bool coarse = start_.surface.triangulation.num_vertices <= kCoarse;
+    return coarse ? kDistortedCoarse : kDistorted;
+  }
+
+  /// Cones wherever the surface is curved, instead of a map of little use or none.
   void ReduceDistortion(const Taken& asked) {
     std::optional<int> least_cones;
     for (const Rung& rung : CurvedRungs()) {
       const double distortion = Distortion();
-      if (!(distortion > kDistorted)) return;
+      if (!(distortion > MostDistorted())) return;
       const bool is_last = &rung == &CurvedRungs().back();
       const bool is_cut_anyway = IsConedWhereCurved(keeper_.kept().road);
       if (keeper_.HasTried(rung.name) || (is_last && !is_cut_anyway)) continue;

@@ -189,6 +189,8 @@ bool TakeEquivalence(const EndedRoad& last, int /*number*/, Road* road) {
 
 constexpr Rung kCurved[] = {{"curved_50", "cones where half of the curvature is", false,
                              MayChooseCones, PlaceWhereCurved, 5000},
+                            {"curved_90", "cones where 90 % of the curvature are", false,
+                             MayChooseCones, PlaceWhereCurved, 9000},
                             {"curved_99", "cones where 99 % of the curvature are", false,
                              MayChooseCones, PlaceWhereCurved, 9900},
                             {"unfolded", "cones wherever the surface is curved", false,
@@ -218,6 +220,7 @@ constexpr Rung kRungs[] = {
     kCurved[0],
     kCurved[1],
     kCurved[2],
+    kCurved[3],
     {"more_iterations_for_angles", "more iterations for the angles", true, AnglesNeedMore,
      IterateMore, kMoreIterations},
     {"equivalence", "discrete conformal equivalence instead of a circle pattern", false,
