@@ -10,7 +10,6 @@ namespace {
 /// Mean quasi-conformal distortion of a map of no use, and of one of little: of a coarse surface, whose
 /// few triangles cannot bend and which a few cones unfold.
 constexpr double kDistorted = 3, kDistortedCoarse = 1.5;
-constexpr Index kCoarse = 1000;         ///< vertices
 constexpr double kLessDistorted = 0.5;  ///< of what it is above 1, for which longer seams are taken
 
 /// A road taken.
@@ -71,8 +70,7 @@ class Climb {
   }
 
   double MostDistorted() const {
-    const bool coarse = start_.surface.triangulation.num_vertices <= kCoarse;
-    return coarse ? kDistortedCoarse : kDistorted;
+    return IsCoarse(start_.surface) ? kDistortedCoarse : kDistorted;
   }
 
   /// Cones wherever the surface is curved, instead of a map of little use or none.
@@ -87,7 +85,8 @@ class Climb {
       const EndedRoad last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
                            asked.end, &least_cones};
       const std::shared_ptr<Taken> taken = ByCircles(last) ? TakeRung(rung, last) : nullptr;
-      if (!taken || taken->status.code() == StatusCode::kCancelled) return;
+      if (!taken) continue;
+      if (taken->status.code() == StatusCode::kCancelled) return;
       if (taken->end != RoadEnd::kMap) continue;
       const double mean = taken->map.certificate.distortion->quasi_conformal_mean;
       if (mean - 1 < kLessDistorted * (distortion - 1)) keeper_.Prefer(rung.made_with, taken);

@@ -87,6 +87,11 @@ bool ConesInfeasible(const EndedRoad& last) {
          !last.map.flat.infeasibility.empty();
 }
 
+/// Of a large surface that much of the curvature is as many cones as almost all of it.
+bool MayChooseConesOfCoarse(const EndedRoad& last) {
+  return MayChooseCones(last) && IsCoarse(last.start.surface);
+}
+
 // What rungs change; false: nothing.
 
 bool KeepSeamsRigid(const EndedRoad& /*last*/, int /*number*/, Road* road) {
@@ -190,7 +195,7 @@ bool TakeEquivalence(const EndedRoad& last, int /*number*/, Road* road) {
 constexpr Rung kCurved[] = {{"curved_50", "cones where half of the curvature is", false,
                              MayChooseCones, PlaceWhereCurved, 5000},
                             {"curved_90", "cones where 90 % of the curvature are", false,
-                             MayChooseCones, PlaceWhereCurved, 9000},
+                             MayChooseConesOfCoarse, PlaceWhereCurved, 9000},
                             {"curved_99", "cones where 99 % of the curvature are", false,
                              MayChooseCones, PlaceWhereCurved, 9900},
                             {"unfolded", "cones wherever the surface is curved", false,
@@ -233,6 +238,10 @@ std::vector<std::string> LadderRungs() {
   std::vector<std::string> names;
   for (const Rung& rung : AllRungs()) names.push_back(rung.name);
   return names;
+}
+
+bool IsCoarse(const IntrinsicSurface& surface) {
+  return surface.triangulation.num_vertices <= kCoarse;
 }
 
 std::span<const Rung> AllRungs() { return kRungs; }
