@@ -127,7 +127,7 @@ TEST(KnownCones, AMisplacedConeIsPutWhereItIsMissing) {
       if (distance > 0.2 && distance < 0.3) near = v;
     }
     start.push_back(ConeOfCurvature(near, kPi / 2));
-    ConeMoves moves(problem, start, measure);
+    ConeMoves moves(problem, start, measure, 30);
     ASSERT_TRUE(moves.FitStart());
     ASSERT_TRUE(moves.Relocate());
     while (moves.Sweep()) {

@@ -9,7 +9,8 @@
 namespace cirque {
 namespace {
 
-constexpr int kFirstStride = 8;                             ///< edges
+constexpr int kLongestStride = 8;                           ///< edges
+constexpr int kSweepsOfLongest = 5;                         ///< of 8, 4, 2, 1 edges and none
 constexpr double kLeastGain = 1e-6;                         ///< relative, of a move worth making
 constexpr int kAdaptations = 2, kLastAdaptations = 20;      ///< of the measure's form
 constexpr std::size_t kMostMissed = 8, kMostPositions = 4;  ///< tried by a relocation
@@ -17,16 +18,23 @@ constexpr double kLeastRelocationGain = 1e-3;
 /// Times the measure before: a new position not worth settling at.
 constexpr double kHopeless = 1.05;
 
+/// From which so many sweeps come down to a single edge and rest.
+int FirstStride(int max_sweeps) {
+  int stride = kLongestStride;
+  for (int sweeps = kSweepsOfLongest; sweeps > max_sweeps && stride > 1; --sweeps) stride /= 2;
+  return stride;
+}
+
 }  // namespace
 
 ConeMoves::ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start,
-                     ConeMeasureKind measure)
+                     ConeMeasureKind measure, int max_sweeps)
     : problem_(problem),
       corners_at_(
           SortIntoBuckets(problem.triangulation().vertex, problem.triangulation().num_vertices)),
       fit_(problem, MakeConeMeasure(measure, problem)),
       taken_(problem.triangulation().num_vertices, false),
-      stride_(start.size(), kFirstStride) {
+      stride_(start.size(), FirstStride(max_sweeps)) {
   for (const Cone& cone : start) {
     fit_.Add(cone.vertex);
     taken_[cone.vertex] = true;
@@ -59,7 +67,7 @@ bool ConeMoves::Sweep() {
   for (int i = 0; i < fit_.size(); ++i) {
     if (stride_[i] == 0) continue;
     const bool moved = TryMove(i, slope, stride_[i]);
-    stride_[i] = moved ? std::min(kFirstStride, 2 * stride_[i]) : stride_[i] / 2;
+    stride_[i] = moved ? std::min(kLongestStride, 2 * stride_[i]) : stride_[i] / 2;
     moving = moving || stride_[i] > 0;
   }
   return moving;
@@ -149,7 +157,7 @@ bool ConeMoves::TryPosition(int i, Index to, double before) {
   if (fit_.Measure() > kHopeless * before) return false;
   Settle(i);
   if (fit_.Measure() > (1 - kLeastRelocationGain) * before) return false;
-  std::fill(stride_.begin(), stride_.end(), kFirstStride);
+  std::fill(stride_.begin(), stride_.end(), kLongestStride);
   return true;
 }
 
@@ -162,9 +170,9 @@ void ConeMoves::MoveTo(int i, Index to) {
 }
 
 void ConeMoves::Settle(int i) {
-  for (int stride = kFirstStride; stride > 0;) {
+  for (int stride = kLongestStride; stride > 0;) {
     const bool moved = TryMove(i, fit_.Descent(), stride);
-    stride = moved ? std::min(kFirstStride, 2 * stride) : stride / 2;
+    stride = moved ? std::min(kLongestStride, 2 * stride) : stride / 2;
   }
   Adapt(kAdaptations);
 }

@@ -13,8 +13,10 @@ namespace cirque {
 /// wherever they are. Moves lower the measure's form (ConeMeasure), relocations the measure itself.
 class ConeMoves {
  public:
-  /// `measure`: as of MakeConeMeasure.
-  ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start, ConeMeasureKind measure);
+  /// `measure`: as of MakeConeMeasure. `max_sweeps`: how many are to come; the fewer, the shorter the
+  /// first strides, for a stride that gains nothing is halved from sweep to sweep.
+  ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start, ConeMeasureKind measure,
+            int max_sweeps);
 
   /// The curvatures for where the cones start. False when none are admissible.
   bool FitStart();

@@ -70,7 +70,7 @@ StatusOr<std::vector<Cone>> MovingCones::Choose(const ConeProblem& problem) cons
   if (cones->size() > kMostMovedOneByOne) {
     return MovedAllAtOnce(problem, *cones, options_);
   }
-  ConeMoves moves(problem, *cones, options_.measure);
+  ConeMoves moves(problem, *cones, options_.measure, options_.max_sweeps);
   if (!moves.FitStart()) return cones;
   const auto sweep_to_rest = [&] {
     for (int sweep = 0; sweep < options_.max_sweeps && moves.Sweep(); ++sweep) {

@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/math/arctangent.h"
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
@@ -22,7 +23,7 @@ double AngleOpposite(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   const double above = ((a - b) + c) * std::max(TriangleDefect(a, b, c), 0.0);
   const double below = (a + (b + c)) * ((a - c) + b);
-  return 2 * std::atan2(std::sqrt(above), std::sqrt(std::max(below, 0.0)));
+  return 2 * Arctangent(std::sqrt(above), std::sqrt(std::max(below, 0.0)));
 }
 
 /// The angles of one triangle, its sides brought near 1 by a power of two so that no product

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cirque/core/types.h"
+#include "cirque/math/arctangent.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/gauss_legendre.h"
 
@@ -37,7 +38,7 @@ double HalfAngle(double d, const CircleAngle& angle) {
   // of the two terms happens only near phi = pi/2, where it is harmless.
   const double scale = d > 0.0 ? std::exp(-d) : 1.0;
   const double growth = d > 0.0 ? -std::expm1(-d) : std::expm1(d);
-  return std::atan2(scale * angle.sine, growth + scale * angle.one_minus_cosine);
+  return Arctangent(scale * angle.sine, growth + scale * angle.one_minus_cosine);
 }
 
 double HalfAngleWeight(double d, double theta) {
@@ -101,7 +102,7 @@ struct Excess {
 /// direction; valid for |delta| < pi/4.
 double SmallDelta(const Edge& e, double offset) {
   const double shift = std::sin(e.alpha_j) * std::expm1(offset);
-  return std::atan2(shift * std::sin(e.alpha_i), e.angle.sine + shift * std::cos(e.alpha_i));
+  return Arctangent(shift * std::sin(e.alpha_i), e.angle.sine + shift * std::cos(e.alpha_i));
 }
 
 /// E / delta^2 = 2 sin theta int_0^1 s ds / (sin(alpha_i - delta s) sin(alpha_j + delta s)): the
@@ -150,7 +151,7 @@ ScalarJet EdgePotential(double d, double theta) {
   const CircleAngle angle = CircleAngle::FromExterior(theta);
   const double phi_i = HalfAngle(d, angle), phi_j = HalfAngle(-d, angle);
   const double p =
-      2.0 * std::atan2(std::tanh(0.5 * d) * std::cos(0.5 * theta), std::sin(0.5 * theta));
+      2.0 * Arctangent(std::tanh(0.5 * d) * std::cos(0.5 * theta), std::sin(0.5 * theta));
   return {p * d + Clausen(2.0 * theta) - ClausenStep(phi_i, theta, phi_j), p,
           HalfAngleWeight(d, angle)};
 }

@@ -7,6 +7,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/math/arctangent.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
@@ -78,7 +79,7 @@ class FaceMeter {
       const Vector2d q = ImageEdge(3 * f + k, Triangulation::Prev(3 * f + k));
       if (!p.allFinite() || !q.allFinite()) return {};
       m.angle[k] = angles_.value[3 * f + k];
-      m.image_angle[k] = std::atan2(std::abs(Cross(p, q)), p.dot(q));
+      m.image_angle[k] = Arctangent(std::abs(Cross(p, q)), p.dot(q));
     }
     // Seen from its smallest angle, whose sine is accurate however thin the triangle is.
     Index k = 0;

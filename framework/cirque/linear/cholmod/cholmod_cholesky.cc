@@ -19,6 +19,10 @@ namespace {
 
 constexpr int kManyUnknowns = 50'000;
 
+/// From here on an ordering by nested dissection (METIS) is worth its time, nine times that of AMD: at
+/// 8.7 million unknowns the factor has half of the numbers, at 430,000 0.73 of them.
+constexpr Eigen::Index kToBeDissected = 4'000'000;
+
 /// Of a factor, for n unknowns on a surface, as multiples of n log2(n): 2.4 to 5 were measured from
 /// kManyUnknowns on.
 constexpr double kLeastNumbers = 2.4;
@@ -108,7 +112,8 @@ class CholmodCholesky final : public SparseCholesky {
     FreeFactor();
     cholmod_sparse a = View(lower);
     const bool given = static_cast<Eigen::Index>(suggested_.size()) == lower.cols();
-    common_.method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+    const int own = lower.cols() < kToBeDissected ? CHOLMOD_AMD : CHOLMOD_METIS;
+    common_.method[0].ordering = given ? CHOLMOD_GIVEN : own;
     factor_ = cholmod_analyze_p(&a, given ? suggested_.data() : nullptr, nullptr, 0, &common_);
     suggested_ = {};
     ThrowIfOutOfMemory();
