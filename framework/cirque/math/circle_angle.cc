@@ -16,6 +16,20 @@ constexpr double kPiLow = 0x1.1a62633145c07p-53;  // pi - kPi
 
 double Square(double x) { return x * x; }
 
+/// e^-x and 1 - e^-x for x >= 0, both relatively accurate, of one exponential.
+struct Decay {
+  explicit Decay(double x) {
+    if (x < 0.5) {
+      gone = -std::expm1(-x);
+      left = 1.0 - gone;
+    } else {
+      left = std::exp(-x);
+      gone = 1.0 - left;
+    }
+  }
+  double left, gone;
+};
+
 }  // namespace
 
 CircleAngle CircleAngle::FromExterior(double theta) {
@@ -36,8 +50,9 @@ double HalfAngle(double d, double theta) { return HalfAngle(d, CircleAngle::From
 double HalfAngle(double d, const CircleAngle& angle) {
   // e^d - cos theta = expm1(d) + (1 - cos theta), both scaled by e^{-d} where d > 0. A cancellation
   // of the two terms happens only near phi = pi/2, where it is harmless.
-  const double scale = d > 0.0 ? std::exp(-d) : 1.0;
-  const double growth = d > 0.0 ? -std::expm1(-d) : std::expm1(d);
+  const Decay decay(std::abs(d));
+  const double scale = d > 0.0 ? decay.left : 1.0;
+  const double growth = d > 0.0 ? decay.gone : -decay.gone;
   return Arctangent(scale * angle.sine, growth + scale * angle.one_minus_cosine);
 }
 
@@ -53,9 +68,8 @@ double HalfAngleByThetaStar(double d, double theta_star) {
 
 double HalfAngleWeight(double d, const CircleAngle& angle) {
   // sin theta / (cosh d - cos theta), both scaled by 2 q with q = e^{-|d|}.
-  const double q = std::exp(-std::abs(d));
-  const double one_minus_q = -std::expm1(-std::abs(d));
-  return 2.0 * q * angle.sine / (Square(one_minus_q) + 2.0 * q * angle.one_minus_cosine);
+  const Decay q(std::abs(d));
+  return 2.0 * q.left * angle.sine / (Square(q.gone) + 2.0 * q.left * angle.one_minus_cosine);
 }
 
 namespace {
