@@ -32,8 +32,11 @@ struct Decay {
 
 }  // namespace
 
+// By half angles: one sine and cosine of the same number, which are one call.
+
 CircleAngle CircleAngle::FromExterior(double theta) {
-  return {theta, std::sin(theta), 2.0 * Square(std::sin(0.5 * theta))};
+  const double sine = std::sin(0.5 * theta), cosine = std::cos(0.5 * theta);
+  return {theta, 2.0 * sine * cosine, 2.0 * Square(sine)};
 }
 
 CircleAngle CircleAngle::FromCorners(double alpha_i, double alpha_j) {
@@ -42,7 +45,8 @@ CircleAngle CircleAngle::FromCorners(double alpha_i, double alpha_j) {
   const double error = (alpha_i - (sum - rounded_j)) + (alpha_j - rounded_j);
   const double theta = (kPi - sum) + (kPiLow - error);
   if (theta < 0.5 * kPi) return FromExterior(theta);
-  return {theta, std::sin(sum), 2.0 * Square(std::cos(0.5 * sum))};
+  const double sine = std::sin(0.5 * sum), cosine = std::cos(0.5 * sum);
+  return {theta, 2.0 * sine * cosine, 2.0 * Square(cosine)};
 }
 
 double HalfAngle(double d, double theta) { return HalfAngle(d, CircleAngle::FromExterior(theta)); }
