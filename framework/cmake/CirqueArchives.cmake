@@ -30,7 +30,8 @@ function(link_archives PROGRAM)
     # of that of the shared OpenBLAS that PETSc brings.
     target_link_libraries(${PROGRAM} PRIVATE
       experiments_common "$<LINK_GROUP:RESCAN,cirque,Ceres::ceres,${ARCHIVES}>")
-    target_link_options(${PROGRAM} PRIVATE -Wl,-z,muldefs)
+    # Its name is asked for weakly, which takes no member of an archive.
+    target_link_options(${PROGRAM} PRIVATE -Wl,-z,muldefs -Wl,--undefined=openblas_get_config)
     foreach(NAME openblas_read_env openblas_verbose openblas_num_threads_env)
       target_link_options(${PROGRAM} PRIVATE -Wl,--export-dynamic-symbol=${NAME})
     endforeach()
