@@ -68,33 +68,68 @@ std::vector<std::vector<double>> ValuesOf(const std::vector<Run>& runs, const Fi
   return values;
 }
 
-bool IsCommon(const std::vector<double>& row) {
-  return std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
+int MapsOf(const Comparison& of, std::size_t method) {
+  return static_cast<int>(std::count_if(of.value.begin(), of.value.end(), [&](const auto& row) {
+    return std::isfinite(row[method]);
+  }));
 }
 
-MethodScore ScoreOf(const Comparison& of, std::size_t method) {
-  MethodScore score;
-  score.method = of.methods[method];
+bool IsMapped(const std::vector<double>& row) {
+  return std::any_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// The least of the contenders of a mesh; NaN where one has no map of it.
+double LeastOf(const std::vector<double>& row, const std::vector<MethodScore>& scores) {
+  double least = kInfinity;
+  for (std::size_t m = 0; m < row.size(); ++m) {
+    if (scores[m].contends && !std::isfinite(row[m])) return kNan;
+    if (scores[m].contends) least = std::min(least, row[m]);
+  }
+  return least;
+}
+
+void ScoreMethod(const Comparison& of, std::size_t method, MethodScore* into) {
+  MethodScore& score = *into;
   std::vector<double> own, ratios;
   for (const std::vector<double>& row : of.value) {
     const double value = row[method], first = row[0];
     if (!std::isfinite(value)) continue;
     own.push_back(value);
     if (value > 0 && first > 0) ratios.push_back(value / first);
-    if (!IsCommon(row)) continue;
-    score.wins += value <= (1 + kTie) * *std::min_element(row.begin(), row.end());
+    score.wins += score.contends && value <= (1 + kTie) * LeastOf(row, of.scores);
   }
-  score.maps = static_cast<int>(own.size());
   score.median = Median(own);
   score.pairs = static_cast<int>(ratios.size());
   score.ratio = Median(ratios);
   std::tie(score.ratio_low, score.ratio_high) = MedianInterval(ratios);
-  return score;
+}
+
+/// Who maps how much, and who contends.
+std::vector<MethodScore> ContendersOf(const Comparison& of) {
+  const auto mapped = std::count_if(of.value.begin(), of.value.end(), IsMapped);
+  std::vector<MethodScore> scores(of.methods.size());
+  for (std::size_t m = 0; m < of.methods.size(); ++m) {
+    scores[m].method = of.methods[m];
+    scores[m].maps = MapsOf(of, m);
+    scores[m].contends = 2 * scores[m].maps >= mapped;
+  }
+  return scores;
 }
 
 /// "A and B".
 std::string Enumerated(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// What follows on the verdict where methods were left out of it.
+std::string LeftOut(const Comparison& of) {
+  std::string sentence;
+  for (const MethodScore& score : of.scores) {
+    if (score.contends) continue;
+    sentence += fmt::format(" {} maps {} of {} and does not count.", score.method, score.maps,
+                            of.meshes.size());
+  }
+  return sentence;
 }
 
 std::string VerdictOf(const Comparison& of) {
@@ -104,7 +139,7 @@ std::string VerdictOf(const Comparison& of) {
   std::vector<std::string> best;
   const MethodScore* shown = nullptr;
   for (const MethodScore& score : of.scores) {
-    if (score.wins < most) continue;
+    if (!score.contends || score.wins < most) continue;
     best.push_back(score.method);
     if (shown == nullptr && &score != &of.scores[0]) shown = &score;
   }
@@ -146,14 +181,15 @@ std::vector<Comparison> CompareMethods(const std::vector<Run>& runs) {
     comparison.meshes = InOrder(runs, &Run::mesh);
     comparison.methods = methods;
     comparison.value = ValuesOf(runs, figure, comparison);
-    comparison.common =
-        static_cast<int>(std::count_if(comparison.value.begin(), comparison.value.end(), IsCommon));
-    int known = 0;
+    if (std::none_of(comparison.value.begin(), comparison.value.end(), IsMapped)) continue;
+    comparison.scores = ContendersOf(comparison);
+    comparison.common = static_cast<int>(std::count_if(
+        comparison.value.begin(), comparison.value.end(),
+        [&](const auto& row) { return std::isfinite(LeastOf(row, comparison.scores)); }));
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      comparison.scores.push_back(ScoreOf(comparison, m));
-      known += comparison.scores.back().maps;
+      ScoreMethod(comparison, m, &comparison.scores[m]);
     }
-    if (known > 0) comparisons.push_back(std::move(comparison));
+    comparisons.push_back(std::move(comparison));
   }
   return comparisons;
 }
@@ -161,7 +197,7 @@ std::vector<Comparison> CompareMethods(const std::vector<Run>& runs) {
 std::vector<std::string> VerdictsOf(const std::vector<Comparison>& comparisons) {
   std::vector<std::string> sentences;
   for (const Comparison& comparison : comparisons) {
-    sentences.push_back(VerdictOf(comparison));
+    sentences.push_back(VerdictOf(comparison) + LeftOut(comparison));
     char& first = sentences.back()[0];
     first = static_cast<char>(std::toupper(static_cast<unsigned char>(first)));
   }

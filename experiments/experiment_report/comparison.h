@@ -16,7 +16,9 @@ std::pair<double, double> MedianInterval(std::vector<double> values);
 struct MethodScore {
   std::string method;
   int maps = 0;  ///< meshes that it maps
-  int wins = 0;  ///< of those that every method maps, on how many none has less than it by 0.1 %
+  /// Whether it maps half of the meshes that some method maps; another would leave few for the rest.
+  bool contends = true;
+  int wins = 0;  ///< of those that every contender maps, on how many none has less than it by 0.1 %
   double median = 0;  ///< of the figure over the meshes that it maps; NaN: none
   /// Of the figure over the first method's on the same mesh, where both map it and neither is 0.
   int pairs = 0;
@@ -30,7 +32,7 @@ struct Comparison {
   std::vector<std::vector<double>>
       value;                        ///< [mesh][method], of several repeats the median; or NaN
   std::vector<MethodScore> scores;  ///< as `methods`
-  int common = 0;                   ///< meshes that every method maps
+  int common = 0;                   ///< meshes that every contender maps
 };
 
 /// The methods of the runs, in the order of their first records, compared by angle distortion, area
@@ -39,7 +41,7 @@ struct Comparison {
 std::vector<Comparison> CompareMethods(const std::vector<Run>& runs);
 
 /// What the comparisons say, one sentence each: which method is best on the most meshes, and by what
-/// ratio it differs from the first.
+/// ratio it differs from the first; which methods were left out of that because they map too few.
 std::vector<std::string> VerdictsOf(const std::vector<Comparison>& comparisons);
 
 /// The scores, and a table of meshes and methods for each comparison, in which the best is marked.

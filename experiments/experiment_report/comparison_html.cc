@@ -28,11 +28,12 @@ std::string ScoreRow(const MethodScore& score, int common) {
       std::isfinite(score.ratio_high)
           ? fmt::format("{:.3g} to {:.3g}", score.ratio_low, score.ratio_high)
           : "";
+  const std::string wins = score.contends ? fmt::format("{} of {}", score.wins, common) : "";
   return fmt::format(
       "<tr><td>{}</td><td class=\"number\" data-value=\"{}\">{}</td>{}<td class=\"number\" "
-      "data-value=\"{}\">{} of {}</td>{}<td class=\"number\">{}</td></tr>\n",
-      Escape(score.method), score.maps, score.maps, NumberCell(score.median), score.wins,
-      score.wins, common, NumberCell(score.ratio), interval);
+      "data-value=\"{}\">{}</td>{}<td class=\"number\">{}</td></tr>\n",
+      Escape(score.method), score.maps, score.maps, NumberCell(score.median), score.wins, wins,
+      NumberCell(score.ratio), interval);
 }
 
 std::string ScoreTable(const Comparison& of) {

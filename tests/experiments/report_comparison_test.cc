@@ -84,6 +84,26 @@ TEST(CompareMethods, LeavesOutWhatCannotBeCompared) {
   EXPECT_THAT(CompareMethods(ResultsOf({Map("m", "a", 1, 1)}).runs), IsEmpty());
 }
 
+/// A method that maps hardly anything would leave hardly a mesh to compare the others on.
+TEST(CompareMethods, AMethodWithFewMapsIsNoContender) {
+  std::vector<nlohmann::json> records = Halves();
+  for (int i = 0; i < 20; ++i) {
+    records.push_back(Map("m" + std::to_string(i), "c", 0.01, 0.1));
+    if (i >= 9) records.back()["outcome"] = "not_converged";
+  }
+  const std::vector<Comparison> comparisons = CompareMethods(ResultsOf(records).runs);
+  const Comparison& distortion = comparisons[0];
+  EXPECT_FALSE(distortion.scores[2].contends);
+  EXPECT_EQ(distortion.scores[2].maps, 9);
+  EXPECT_EQ(distortion.scores[2].wins, 0);
+  EXPECT_EQ(distortion.scores[2].pairs, 9);
+  EXPECT_EQ(distortion.common, 20);
+  EXPECT_EQ(distortion.scores[1].wins, 20);
+  EXPECT_THAT(VerdictsOf(comparisons)[0],
+              ::testing::AllOf(HasSubstr("least by b on 20 of 20 meshes"),
+                               HasSubstr(" c maps 9 of 20 and does not count.")));
+}
+
 TEST(CompareMethods, RepeatsCountByTheirMedian) {
   std::vector<nlohmann::json> records = {Map("m", "a", 1, 1), Map("m", "b", 1, 3)};
   for (int repeat = 1; repeat < 3; ++repeat) {
