@@ -11,11 +11,10 @@
 #include "cirque/domains/built_in_domains.h"
 #include "cirque/domains/exact_sphere.h"
 #include "cirque/domains/sphere_normalization.h"
+#include "cirque/domains/sphere_placement.h"
 #include "cirque/domains/sphere_pole.h"
-#include "cirque/domains/sphere_refinement.h"
 #include "cirque/layout/linear_layout.h"
 #include "cirque/layout/planar_layout.h"
-#include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/flatten.h"
 
 namespace cirque {
@@ -92,7 +91,8 @@ class SphereMapping {
         control_(control),
         map_(*map),
         seconds_(map->certificate.seconds),
-        summary_(Fill(&map->certificate.sphere)) {
+        summary_(Fill(&map->certificate.sphere)),
+        placement_(surface, lengths, options, in_plane_.refine_map, control, map) {
     in_plane_.triangulation =
         SolvedTriangulation::kInput;  // flips are made here, on the closed surface
     in_plane_.exact = false;          // likewise
@@ -114,7 +114,7 @@ class SphereMapping {
       status = TryPole(poles[i], delaunay);
       const bool may_do_better = status.code() == StatusCode::kNotConverged ||
                                  status.code() == StatusCode::kUnrepresentable;
-      if (!may_do_better || !normalized_ || IsBeyondDoubles()) break;
+      if (!may_do_better || !placement_.is_normalized() || IsBeyondDoubles()) break;
     }
     if (!status.ok()) map_.position.clear();
     return status;
@@ -154,8 +154,7 @@ class SphereMapping {
     map_.certificate.triangulation = first_.triangulation;
     map_.certificate.map_refinement.reset();
     map_.certificate.infeasibility = {};
-    flipped_ = FlippedSphericalFaces(t_, map_.position);
-    Fill(&map_.certificate.layout).flipped_triangles = static_cast<int>(flipped_.size());
+    placement_.FindFlipped();
     return Status();
   }
 
@@ -164,11 +163,11 @@ class SphereMapping {
       const auto flipped = TryLockingFlipped(delaunay);
       if (flipped.ok() && flipped->empty()) return Status();
       const Status& status = flipped.status();
-      const bool final = status.code() == StatusCode::kCancelled || !normalized_;
+      const bool final = status.code() == StatusCode::kCancelled || !placement_.is_normalized();
       if (final || IsBeyondDoubles()) return status;
     }
     const Status status = TryOn({t_, lengths_, {}, {}});
-    if (!status.ok() || flipped_.empty()) return status;
+    if (!status.ok() || placement_.flipped().empty()) return status;
     return Unrepresentable();
   }
 
@@ -180,7 +179,7 @@ class SphereMapping {
       const Status status =
           rounds == 1 ? TryOn(delaunay)
                       : TryOn(Timed(&seconds_.triangulation, [&] { return Delaunay(locked); }));
-      return status.ok() ? StatusOr<std::vector<Index>>(flipped_) : status;
+      return status.ok() ? StatusOr<std::vector<Index>>(placement_.flipped()) : status;
     };
     return SolveLockingFlipped(std::vector<bool>(t_.num_edges(), false), solve,
                                [&](const std::vector<Index>& faces, std::vector<bool>* locked) {
@@ -222,7 +221,7 @@ class SphereMapping {
     }
     const bool is_first = map_.exact_map && !first_.sphere;
     const Status placed =
-        Timed(&seconds_.layout, [&] { return NormalizeAndRefine(std::move(layout)); });
+        Timed(&seconds_.layout, [&] { return placement_.Place(std::move(layout)); });
     if (is_first) first_ = map_.certificate;
     return placed;
   }
@@ -262,39 +261,6 @@ class SphereMapping {
     return Status();
   }
 
-  Status NormalizeAndRefine(PlaneWithPole plane) {
-    const Status status = Normalize(plane);
-    const bool refine = status.ok() && flipped_.empty() && in_plane_.refine_map != "none";
-    return refine ? RefineThenNormalize(std::move(plane)) : status;
-  }
-
-  /// Of a map that is good already; where the refined one is not, it stays.
-  Status RefineThenNormalize(PlaneWithPole plane) {
-    const PlaneWithPole before = plane;
-    control_.BeginStage("refinement");
-    Status status = RefineOnSphere(t_, lengths_, chart_, in_plane_.refine_map, control_.cancelled,
-                                   &plane, &map_.certificate.map_refinement);
-    if (!status.ok()) return status;
-    status = Normalize(plane);
-    return status.ok() && flipped_.empty() ? status : Normalize(before);
-  }
-
-  Status Normalize(const PlaneWithPole& plane) {
-    const auto normalized = NormalizeChart(surface_, plane, options_.normalization);
-    normalized_ = normalized.ok();
-    if (!normalized_) return normalized.status();
-    chart_ = normalized->chart;
-    summary_.normalization_iterations = normalized->iterations;
-    summary_.normalization_residual = normalized->residual;
-    map_.position = LiftAll(surface_, plane, normalized->chart, options_.principal_axes);
-    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
-    for (Index v = 0; v < t_.num_vertices; ++v) mass += normalized->weights[v] * map_.position[v];
-    summary_.centre_of_mass = mass.norm();
-    flipped_ = FlippedSphericalFaces(t_, map_.position);
-    Fill(&map_.certificate.layout).flipped_triangles = static_cast<int>(flipped_.size());
-    return Status();
-  }
-
   /// True of every pole's map then.
   bool IsBeyondDoubles() const { return log_radius_range_ > kGreatestLogRadiusRange; }
 
@@ -314,7 +280,8 @@ class SphereMapping {
         fmt::format("a circle pattern exists but doubles cannot hold it on one sphere: log "
                     "radii range over {:.1f} and {} would collapse, faces {} (0-based) "
                     "among them; name another --pole or normalization",
-                    log_radius_range_, Count(flipped_.size(), "face"), IdList(flipped_, 5)));
+                    log_radius_range_, Count(placement_.flipped().size(), "face"),
+                    IdList(placement_.flipped(), 5)));
   }
 
   const Surface& surface_;
@@ -328,11 +295,9 @@ class SphereMapping {
   StageSeconds& seconds_;
   SphereSummary& summary_;
   double log_radius_range_ = 0;
-  SphereChart chart_;  ///< of the last normalisation
   Index pole_ = kNone;
-  Certificate first_;           ///< of the solve that the exact map is of
-  std::vector<Index> flipped_;  ///< of the input's faces on the sphere
-  bool normalized_ = true;      ///< false: no other pole or triangulation would help
+  Certificate first_;  ///< of the solve that the exact map is of
+  SpherePlacement placement_;
 };
 
 }  // namespace
