@@ -25,6 +25,7 @@
 #include "cirque/verify/sphere_check.h"
 
 #include "experiments/common/sphere_files.h"
+#include "experiments/studies/random_requests.h"
 #include "experiments/studies/small_surfaces.h"
 #include "experiments/studies/studies.h"
 

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cirque/domains/domain.h"
 #include "cirque/io/polygon_soup.h"
-#include "cirque/mesh/surface.h"
 
 namespace cirque {
 
@@ -40,17 +38,5 @@ struct SmallSurfaceKind {
 /// Up to a few hundred triangles each: needles, fans, polygons without inner vertices, spikes,
 /// slivers, bands, polyhedra, tori, triangles split in three, small meshes of every generator.
 const std::vector<SmallSurfaceKind>& SmallSurfaceKinds();
-
-/// Up to eight inner cones of any angle that Gauss-Bonnet allows; the boundary is free or has any angles
-/// too.
-ConeTargets DrawCones(const Triangulation& triangulation, Dice* dice);
-
-/// Options drawn from the tables that know them, a domain, and at times angle sums near the limits
-/// of the boundary's vertices: a map that somebody might ask for.
-MapRequest DrawRequest(const Surface& surface, Dice* dice);
-
-/// The request as flags of circle_patterns, "-domain=disk -epsilon=0.1"; angle sums, which are a file
-/// there, as "angle sums".
-std::string FlagsOf(const MapRequest& request);
 
 }  // namespace cirque

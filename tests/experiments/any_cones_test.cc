@@ -14,6 +14,7 @@
 #include "cirque/verify/map_check.h"
 #include "cirque/verify/refinement_check.h"
 
+#include "experiments/studies/random_requests.h"
 #include "experiments/studies/small_surfaces.h"
 
 namespace cirque {
