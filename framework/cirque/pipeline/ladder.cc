@@ -69,9 +69,7 @@ class Climb {
     return counts ? distortion->quasi_conformal_mean : 1;
   }
 
-  double MostDistorted() const {
-    return IsCoarse(start_.surface) ? kDistortedCoarse : kDistorted;
-  }
+  double MostDistorted() const { return IsCoarse(start_.surface) ? kDistortedCoarse : kDistorted; }
 
   /// Cones wherever the surface is curved, instead of a map of little use or none.
   void ReduceDistortion(const Taken& asked) {
