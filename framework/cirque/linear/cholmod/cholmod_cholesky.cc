@@ -19,10 +19,10 @@ namespace {
 
 constexpr int kManyUnknowns = 50'000;
 
-/// From here on an ordering by nested dissection (METIS) is worth its time, nine times that of AMD: its
-/// factors have 0.85 of the numbers at 106,000 unknowns, 0.74 at 430,000, and so on; 16 million
-/// triangles are mapped in 19.8 GiB, of which AMD's factor alone would take most.
-constexpr Eigen::Index kToBeDissected = 4'000'000;
+/// From here on an ordering by nested dissection (METIS) is worth its time, nine times that of AMD, for
+/// the memory: its factors have 0.85 of the numbers at 106,000 unknowns, 0.74 at 430,000, and so on. 16
+/// million triangles are mapped in 19.8 GiB, with AMD not in 21; 8.7 million took half as long again.
+constexpr Eigen::Index kToBeDissected = 8'000'000;
 
 /// Of a factor, for n unknowns on a surface, as multiples of n log2(n): 2.4 to 5 were measured from
 /// kManyUnknowns on.
