@@ -88,15 +88,16 @@ double LeastOf(const std::vector<double>& row, const std::vector<MethodScore>& s
   return least;
 }
 
-void ScoreMethod(const Comparison& of, std::size_t method, MethodScore* into) {
-  MethodScore& score = *into;
+/// How a method does, of which ContendersOf has said whether it contends.
+void ScoreMethod(std::size_t method, Comparison* of) {
+  MethodScore& score = of->scores[method];
   std::vector<double> own, ratios;
-  for (const std::vector<double>& row : of.value) {
+  for (const std::vector<double>& row : of->value) {
     const double value = row[method], first = row[0];
     if (!std::isfinite(value)) continue;
     own.push_back(value);
     if (value > 0 && first > 0) ratios.push_back(value / first);
-    score.wins += score.contends && value <= (1 + kTie) * LeastOf(row, of.scores);
+    score.wins += score.contends && value <= (1 + kTie) * LeastOf(row, of->scores);
   }
   score.median = Median(own);
   score.pairs = static_cast<int>(ratios.size());
@@ -187,7 +188,7 @@ std::vector<Comparison> CompareMethods(const std::vector<Run>& runs) {
         comparison.value.begin(), comparison.value.end(),
         [&](const auto& row) { return std::isfinite(LeastOf(row, comparison.scores)); }));
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      ScoreMethod(comparison, m, &comparison.scores[m]);
+      ScoreMethod(m, &comparison);
     }
     comparisons.push_back(std::move(comparison));
   }

@@ -62,6 +62,27 @@ class SphereRefinementTest : public ::testing::Test {
   const EdgeLengths lengths_ = MeasureEdgeLengths(sphere_);
 };
 
+TEST_F(SphereRefinementTest, PutsBackWhatIsFlippedAndNothingElse) {
+  const PlaneWithPole before = Project(sphere_.position, Pole());
+  const Index fine = Nearest({0.3, 0.1, 0.9}), flips = Nearest({0, -0.6, -0.8});
+  PlaneWithPole plane = before;
+  Spoil(fine, &plane);
+  const Vector2d moved = plane.position[fine];
+  EXPECT_TRUE(PutBackFlipped(t_, {}, before, &plane));
+  EXPECT_EQ(plane.position[fine], moved);  // nothing is flipped
+  plane.position[flips] = plane.position[Nearest({0, 0.6, 0.8})];
+  ASSERT_FALSE(FlippedSphericalFaces(t_, LiftAll(plane, {})).empty());
+  EXPECT_TRUE(PutBackFlipped(t_, {}, before, &plane));
+  EXPECT_TRUE(FlippedSphericalFaces(t_, LiftAll(plane, {})).empty());
+  EXPECT_EQ(plane.position[flips], before.position[flips]);
+  EXPECT_EQ(plane.position[fine], moved);  // far from there
+  // Where the map before flips triangles, no ring helps.
+  PlaneWithPole bad = before;
+  bad.position[flips] = bad.position[fine];
+  plane = bad;
+  EXPECT_FALSE(PutBackFlipped(t_, {}, bad, &plane));
+}
+
 TEST_F(SphereRefinementTest, BringsBackVerticesOfBothHemispheres) {
   const Index pole = Pole();
   ASSERT_NEAR(sphere_.position[pole].z(), -1, 1e-15);

@@ -10,7 +10,6 @@ namespace cirque {
 namespace {
 
 constexpr int kLongestStride = 8;                           ///< edges
-constexpr int kSweepsOfLongest = 5;                         ///< of 8, 4, 2, 1 edges and none
 constexpr double kLeastGain = 1e-6;                         ///< relative, of a move worth making
 constexpr int kAdaptations = 2, kLastAdaptations = 20;      ///< of the measure's form
 constexpr std::size_t kMostMissed = 8, kMostPositions = 4;  ///< tried by a relocation
@@ -18,10 +17,10 @@ constexpr double kLeastRelocationGain = 1e-3;
 /// Times the measure before: a new position not worth settling at.
 constexpr double kHopeless = 1.05;
 
-/// From which so many sweeps come down to a single edge and rest.
+/// From which so many sweeps come down to a single edge and rest: 1 from two, twice as long for each more.
 int FirstStride(int max_sweeps) {
-  int stride = kLongestStride;
-  for (int sweeps = kSweepsOfLongest; sweeps > max_sweeps && stride > 1; --sweeps) stride /= 2;
+  int stride = 1;
+  for (int sweeps = 2; sweeps < max_sweeps && stride < kLongestStride; ++sweeps) stride *= 2;
   return stride;
 }
 

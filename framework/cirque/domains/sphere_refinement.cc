@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,8 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kReach = 1.5;      ///< of a cap; 1 is the hemisphere
-constexpr int kPutBackRounds = 10;  ///< after which the refinement is given up
+constexpr double kReach = 1.5;  ///< of a cap; 1 is the hemisphere
 
 /// Makes the faces with `keep` a surface: where they would leave a vertex with several fans of
 /// corners, all of its faces go.
@@ -110,37 +108,14 @@ class SphereMapRefiner {
   std::vector<Complex> w_;
 };
 
-/// The mean of q + 1/q - 2 on the sphere's chords; infinite where a triangle is flipped.
+/// The mean of q + 1/q - 2 on the sphere's chords, on which no triangle is flipped.
 double MeanEnergy(const Triangulation& t, const EdgeLengths& lengths, const SphereChart& chart,
                   const PlaneWithPole& plane) {
   const std::vector<Eigen::Vector3d> position = LiftAll(plane, chart);
-  if (!FlippedSphericalFaces(t, position).empty()) return std::numeric_limits<double>::infinity();
   const EdgeLengths chords = ChordLengths(t, position);
   const MappedFaces faces = MeasureFaces(t, lengths, FacesInPlane(MeasureSurface(t, chords)));
   const Eigen::ArrayXd q = faces.sigma_max.array() / faces.sigma_min.array();
   return faces.area.dot((q + q.inverse() - 2).matrix()) / faces.area.sum();
-}
-
-/// Triangles in a plane that keep their side may lose it on the chords: their vertices go back to where
-/// they were, in every round with one ring more.
-void PutBackFlipped(const Triangulation& t, const SphereChart& chart, const PlaneWithPole& before,
-                    PlaneWithPole* refined) {
-  std::vector<bool> back(t.num_vertices, false);
-  for (int round = 0; round < kPutBackRounds; ++round) {
-    const std::vector<Index> flipped = FlippedSphericalFaces(t, LiftAll(*refined, chart));
-    if (flipped.empty()) return;
-    std::vector<bool> wider = back;
-    for (Index h = 0; h < t.num_halfedges(); ++h) {
-      if (back[t.vertex[h]]) wider[t.Tail(h)] = true;
-    }
-    for (const Index f : flipped) {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) wider[t.vertex[h]] = true;
-    }
-    back = std::move(wider);
-    for (Index v = 0; v < t.num_vertices; ++v) {
-      if (back[v]) refined->position[v] = before.position[v];
-    }
-  }
 }
 
 /// Adds what a cap took.
@@ -161,7 +136,29 @@ void Add(const std::optional<MapRefinementSummary>& cap, MapRefinementSummary* b
   }
 }
 
+constexpr int kPutBackRounds = 10;
+
 }  // namespace
+
+bool PutBackFlipped(const Triangulation& t, const SphereChart& chart, const PlaneWithPole& before,
+                    PlaneWithPole* refined) {
+  std::vector<bool> back(t.num_vertices, false);
+  for (int round = 0;; ++round) {
+    const std::vector<Index> flipped = FlippedSphericalFaces(t, LiftAll(*refined, chart));
+    if (flipped.empty() || round == kPutBackRounds) return flipped.empty();
+    std::vector<bool> wider = back;
+    for (Index h = 0; h < t.num_halfedges(); ++h) {
+      if (back[t.vertex[h]]) wider[t.Tail(h)] = true;
+    }
+    for (const Index f : flipped) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) wider[t.vertex[h]] = true;
+    }
+    back = std::move(wider);
+    for (Index v = 0; v < t.num_vertices; ++v) {
+      if (back[v]) refined->position[v] = before.position[v];
+    }
+  }
+}
 
 Status RefineOnSphere(const Triangulation& t, const EdgeLengths& lengths, const SphereChart& chart,
                       const std::string& refine_map, const std::atomic<bool>* cancelled,
@@ -171,12 +168,12 @@ Status RefineOnSphere(const Triangulation& t, const EdgeLengths& lengths, const 
   if (Status s = refiner.RefineCap(false, refine_map, cancelled, &centre); !s.ok()) return s;
   if (Status s = refiner.RefineCap(true, refine_map, cancelled, &infinity); !s.ok()) return s;
   PlaneWithPole refined = refiner.Plane();
-  PutBackFlipped(t, chart, *plane, &refined);
+  const bool holds = PutBackFlipped(t, chart, *plane, &refined);
   MapRefinementSummary both;
   Add(centre, &both);
   Add(infinity, &both);
   both.map_refinement_before = both.map_refinement_after = MeanEnergy(t, lengths, chart, *plane);
-  const double energy = MeanEnergy(t, lengths, chart, refined);
+  const double energy = holds ? MeanEnergy(t, lengths, chart, refined) : both.map_refinement_before;
   if (energy < both.map_refinement_before) {
     both.map_refinement_after = energy;
     *plane = std::move(refined);

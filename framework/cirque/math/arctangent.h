@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cirque/core/types.h"
+#include "cirque/math/pi.h"
 
 namespace cirque {
 
@@ -27,7 +28,6 @@ inline double ArctangentTail(double z) {
 /// extreme size, which are left to std::atan2.
 inline double Arctangent(double y, double x) {
   constexpr double kTangentOfPi8 = 0x1.a827999fcef32p-2;
-  constexpr double kPiLow = 0x1.1a62633145c07p-53;  // pi - kPi
   const double height = std::abs(y), width = std::abs(x);
   const double long_side = std::max(height, width), short_side = std::min(height, width);
   const bool ordinary = long_side > 0x1p-900 && height < 0x1p900 && width < 0x1p900;

@@ -7,12 +7,11 @@
 #include "cirque/math/arctangent.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/gauss_legendre.h"
+#include "cirque/math/pi.h"
 
 namespace cirque {
 
 namespace {
-
-constexpr double kPiLow = 0x1.1a62633145c07p-53;  // pi - kPi
 
 double Square(double x) { return x * x; }
 

@@ -6,12 +6,12 @@
 
 #include "cirque/core/types.h"
 #include "cirque/math/clausen_coefficients.h"
+#include "cirque/math/pi.h"
 
 namespace cirque {
 namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr double kPiLow = 0x1.1a62633145c07p-53;    // pi - kPi
 constexpr double kLog2Low = 0x1.abc9e3b39803fp-56;  // log 2 - ln2
 /// 2 pi in three parts, the first two of 33 bits: their multiples by k < 2^20 are exact.
 constexpr std::array<double, 3> kTwoPiParts = {0x1.921fb544p+2, 0x1.0b4611a6p-32,

@@ -15,6 +15,7 @@ namespace {
 constexpr int kMoreIterations = 10;       ///< times
 constexpr int kLeastCones = 8;            ///< of a heuristic
 constexpr int kMostCones = 512;           ///< of a heuristic that places or moves them one by one
+constexpr Index kCoarse = 1000;           ///< vertices, at most
 constexpr double kRadiiTolerance = 1e-9;  ///< [rad], of SolveLogRadii
 
 const ParameterizeOptions& Asked(const EndedRoad& last) { return last.start.asked.options; }

@@ -60,10 +60,9 @@ std::vector<std::string> LadderRungs();
 /// use, the last where one before led to those.
 std::span<const Rung> CurvedRungs();
 
-/// Whether a surface has so few vertices, up to kCoarse, that its triangles cannot bend and a few
-/// cones unfold it.
+/// Whether a surface has so few vertices (up to 1,000) that its triangles cannot bend and a few cones
+/// unfold it.
 bool IsCoarse(const IntrinsicSurface& surface);
-inline constexpr Index kCoarse = 1000;
 
 /// Whether a road's cones are those of such a rung.
 bool IsConedWhereCurved(const Road& road);
