@@ -75,6 +75,9 @@ TEST(ClosedCurve, RefusesWhatIsNone) {
   EXPECT_THAT(Refusal({{0, 0}, {1, 0}, {2, 0}}), HasSubstr("meets itself"));
   EXPECT_THAT(Refusal({{0, 0}, {1e-170, 0}, {0, 1e-170}}), HasSubstr("scale the curve"));
   EXPECT_THAT(Refusal({{0, 0}, {1e170, 0}, {0, 1e170}}), HasSubstr("scale the curve"));
+  // So thin that the sign of its area is one of rounding errors.
+  EXPECT_THAT(Refusal({{0, 0}, {0x1p60, 0x1p60}, {0x1p61 + 512, 0x1p61}}),
+              HasSubstr("no area beyond rounding"));
 }
 
 TEST(ClosedCurve, NamesTheSidesThatMeetAsTheyWereGiven) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/core/types.h"
+#include "cirque/math/predicates.h"
 #include "cirque/mesh/preflight.h"
 
 namespace cirque {
@@ -182,6 +183,19 @@ TEST(EarCutting, ABentPolygonIsLookedAtAlongItsNormalWhereItCrossesItselfAlongTh
   const PolygonTriangles triangles = CutEars(polygon);
   EXPECT_EQ(triangles.size(), 3u);
   for (const auto& t : triangles) EXPECT_GT(Cross(polygon, t).dot(NewellNormal(polygon)), 0);
+}
+
+TEST(EarCutting, APolygonMayBeSoThinThatSquaresOfItsAreaAreZero) {
+  for (const double thin : {1e-150, 1e-200, 1e-300, 5e-324}) {
+    const std::vector<std::pair<double, double>> outline = {
+        {0, 0}, {1, 0}, {1, thin}, {0.5, thin}, {0, thin}};
+    const PolygonTriangles triangles = CutEars(InPlane(outline));
+    EXPECT_EQ(triangles.size(), 3u);
+    const auto at = [&](Index v) { return Eigen::Vector2d(outline[v].first, outline[v].second); };
+    for (const auto& t : triangles) EXPECT_EQ(OrientationSign(at(t[0]), at(t[1]), at(t[2])), 1);
+    // One that crosses itself is looked at along its normal too.
+    EXPECT_TRUE(CutEars(InPlane({{0, 0}, {1, thin}, {1, 0}, {0.5, 0}, {0, thin}})).empty());
+  }
 }
 
 TEST(EarCutting, WhatIsNoSimplePolygonHasNoTriangles) {

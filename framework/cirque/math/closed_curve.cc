@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -18,12 +19,22 @@ constexpr double kLargest = 1e140;  ///< of coordinates; 1 over it the least of 
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double TwiceArea(const std::vector<Vector2d>& point) {
-  double twice = 0;
+/// With a bound of its rounding error.
+struct SignedArea {
+  double twice = 0, error = 0;
+};
+
+SignedArea MeasureArea(const std::vector<Vector2d>& point) {
+  SignedArea area;
+  double magnitude = 0;
   for (std::size_t k = 1; k + 1 < point.size(); ++k) {
-    twice += Cross(point[k] - point[0], point[k + 1] - point[0]);
+    const Vector2d a = point[k] - point[0], b = point[k + 1] - point[0];
+    area.twice += Cross(a, b);
+    magnitude += std::abs(a.x() * b.y()) + std::abs(a.y() * b.x());
   }
-  return twice;
+  area.error =
+      static_cast<double>(point.size() + 2) * std::numeric_limits<double>::epsilon() * magnitude;
+  return area;
 }
 
 /// Squares of coordinates and of sides are to be numbers.
@@ -80,9 +91,13 @@ double AngleBetween(const Vector2d& from, const Vector2d& to) {
 StatusOr<ClosedCurve> ClosedCurve::Through(std::vector<Vector2d> points) {
   if (points.size() > 3 && points.front() == points.back()) points.pop_back();
   if (Status s = CheckPoints(points); !s.ok()) return s;
-  const double twice_area = TwiceArea(points);
-  if (twice_area < 0) std::reverse(points.begin() + 1, points.end());
-  if (Status s = CheckSimple(points, twice_area < 0); !s.ok()) return s;
+  const SignedArea area = MeasureArea(points);
+  if (area.twice < 0) std::reverse(points.begin() + 1, points.end());
+  if (Status s = CheckSimple(points, area.twice < 0); !s.ok()) return s;
+  if (!(std::abs(area.twice) > area.error)) {
+    return Status::InvalidInput(
+        "the curve encloses no area beyond rounding errors; draw it farther from a line");
+  }
   return ClosedCurve(std::move(points));
 }
 
@@ -93,7 +108,7 @@ ClosedCurve::ClosedCurve(std::vector<Vector2d> points) : point_(std::move(points
   }
 }
 
-double ClosedCurve::Area() const { return TwiceArea(point_) / 2; }
+double ClosedCurve::Area() const { return MeasureArea(point_).twice / 2; }
 
 Vector2d ClosedCurve::At(double arc) const {
   const double on = arc - length() * std::floor(arc / length());

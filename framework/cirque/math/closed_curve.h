@@ -14,7 +14,7 @@ class ClosedCurve {
   /// Points given clockwise are taken in reverse, the first one staying; the last one may be the first
   /// again. Errors (invalid input), points counted from 1: fewer than three, one that is not finite or
   /// lies where the one before does, sides that meet elsewhere than at their ends (decided exactly), sizes
-  /// whose squares doubles do not hold.
+  /// whose squares doubles do not hold, no area beyond its rounding error.
   static StatusOr<ClosedCurve> Through(std::vector<Eigen::Vector2d> points);
 
   double length() const { return arc_.back(); }

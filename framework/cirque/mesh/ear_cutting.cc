@@ -28,9 +28,10 @@ FlatPolygon AlongAxis(Polygon polygon, const Eigen::Vector3d& normal) {
   return flat;
 }
 
-/// The polygon as it is seen along its normal, rounded.
+/// The polygon as it is seen along its normal, whose squares may be no numbers; rounded.
 FlatPolygon AlongNormal(Polygon polygon, const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  const Eigen::Vector3d unit = normal.stableNormalized(), x = unit.unitOrthogonal(),
+                        y = unit.cross(x);
   FlatPolygon flat;
   for (const Eigen::Vector3d& p : polygon) {
     const Eigen::Vector3d from_first = p - polygon[0];
