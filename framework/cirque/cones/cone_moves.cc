@@ -33,7 +33,8 @@ ConeMoves::ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start,
           SortIntoBuckets(problem.triangulation().vertex, problem.triangulation().num_vertices)),
       fit_(problem, MakeConeMeasure(measure, problem)),
       taken_(problem.triangulation().num_vertices, false),
-      stride_(start.size(), FirstStride(max_sweeps)) {
+      stride_(start.size(), FirstStride(max_sweeps)),
+      resistance_(start.size(), 0) {
   for (const Cone& cone : start) {
     fit_.Add(cone.vertex);
     taken_[cone.vertex] = true;
@@ -76,12 +77,18 @@ bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
   const Index from = fit_.vertices()[i];
   const Index to = Downhill(from, fit_.curvature()[i] * slope, stride);
   if (to == from) return false;
+  const double downhill = fit_.curvature()[i] * (slope[from] - slope[to]);
+  const double squared_stride = stride * stride;
+  if (resistance_[i] * squared_stride > downhill) return false;
   const double before = fit_.Distortion();
   fit_.Move(i, to);
   if (!fit_.FitLeastSquares() || fit_.Distortion() > (1 - kLeastGain) * before) {
+    const double gain = 0.5 * (before * before - fit_.Distortion() * fit_.Distortion());
+    resistance_[i] = (downhill - gain) / squared_stride;
     fit_.UndoMove();
     return false;
   }
+  resistance_[i] = 0;
   taken_[from] = false;
   taken_[to] = true;
   return true;
@@ -161,6 +168,7 @@ bool ConeMoves::TryPosition(int i, Index to, double before) {
 }
 
 void ConeMoves::MoveTo(int i, Index to) {
+  resistance_[i] = 0;
   taken_[fit_.vertices()[i]] = false;
   taken_[to] = true;
   fit_.Move(i, to);

@@ -18,6 +18,9 @@ const OptionTable<MovingOptions>& MovingOptionTable() {
                  {"measure", &O::measure, "the distortion that moves lower"},
                  Option<O>("relocations", &O::relocations,
                            "the most cones that are put elsewhere at once")
+                     .Between(0, 1e6),
+                 Option<O>("one_by_one", &O::one_by_one,
+                           "the most cones that are moved one after another; more move all at once")
                      .Between(0, 1e6)}));
   return kTable;
 }
@@ -31,7 +34,8 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
   }
   // The budget is the start's; what it does not take, it refuses.
   OptionMap rest = map;
-  for (const char* own : {"start", "max_sweeps", "measure", "relocations"}) rest.erase(own);
+  for (const char* own : {"start", "max_sweeps", "measure", "relocations", "one_by_one"})
+    rest.erase(own);
   auto start = make_start(options.start, rest);
   if (!start.ok()) return start.status().In("moving");
   return std::shared_ptr<const ConeHeuristic>(
@@ -40,17 +44,19 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
 
 namespace {
 
-/// More of them are moved all at once: one by one they would cost their number squared.
-constexpr std::size_t kMostMovedOneByOne = 96;
+constexpr std::size_t kMany = 96;
 
-/// Less area distortion first, which many cones far from where they belong find the way by, then the
-/// measure; or the measure alone, where that did not lower it.
+/// Many of them for less area distortion first, by which those far from where they belong find the way,
+/// then for the measure; or for the measure alone, where that did not lower it.
 std::vector<Cone> MovedAllAtOnce(const ConeProblem& problem, const std::vector<Cone>& start,
                                  const MovingOptions& options) {
+  ConeSweeps from_start(problem, start, options.measure);
+  if (options.measure == ConeMeasureKind::kArea || start.size() <= kMany) {
+    from_start.Run(options.max_sweeps);
+    return from_start.Cones();
+  }
   ConeSweeps by_area(problem, start, ConeMeasureKind::kArea);
   by_area.Run(options.max_sweeps);
-  if (options.measure == ConeMeasureKind::kArea) return by_area.Cones();
-  ConeSweeps from_start(problem, start, options.measure);
   ConeSweeps sweeps(problem, by_area.Cones(), options.measure);
   const bool lower = sweeps.Measure() < from_start.Measure();
   ConeSweeps& better = lower ? sweeps : from_start;
@@ -67,7 +73,7 @@ StatusOr<std::vector<Cone>> MovingCones::Choose(const ConeProblem& problem) cons
     return c.lower == c.upper && problem.IsCandidate(c.vertex);
   };
   if (cones->empty() || !std::all_of(cones->begin(), cones->end(), is_fixed)) return cones;
-  if (cones->size() > kMostMovedOneByOne) {
+  if (static_cast<int>(cones->size()) > options_.one_by_one) {
     return MovedAllAtOnce(problem, *cones, options_);
   }
   ConeMoves moves(problem, *cones, options_.measure, options_.max_sweeps);

@@ -14,6 +14,7 @@ struct MovingOptions : ConeBudget {
   int max_sweeps = 30;
   ConeMeasureKind measure = ConeMeasureKind::kArea;
   int relocations = 0;
+  int one_by_one = 96;  ///< the most cones
 };
 
 const OptionTable<MovingOptions>& MovingOptionTable();
@@ -26,15 +27,17 @@ const OptionTable<MovingOptions>& MovingOptionTable();
 /// and nothing is factored again. Where no cone moves any more, cones that are missed least are moved
 /// to where one more would help most, at most `relocations` times.
 ///
-/// More than 96 cones are moved all at once instead (ConeSweeps), for less area distortion first,
-/// at a cost that does not grow with their number, and none is relocated.
+/// More than `one_by_one` cones are moved all at once instead (ConeSweeps), at a cost that does not
+/// grow with their number, and none is relocated. The measure ends a little higher: of 20 and 60 cones
+/// the predicted area distortion by 7 to 40 %, the angle distortion by 1 to 5 %, in a half to a sixth
+/// of the time.
 ///
 /// `measure`: `area`, the predicted area distortion sqrt(sum a u^2); `angle`, the predicted mean of
 /// the quasi-conformal distortion (AngleMeasure), which cones of little area distortion need not
 /// lower.
 ///
 /// Guarantees: the measure is at most that of the start with the curvatures fitted to it (`angle`:
-/// up to its smoothing; of more than 96 cones, at most that of the start as it is); the number of
+/// up to its smoothing; of cones moved all at once, at most that of the start as it is); the number of
 /// cones is that of the start.
 class MovingCones final : public ConeHeuristic {
  public:

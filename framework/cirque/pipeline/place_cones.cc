@@ -14,9 +14,11 @@ namespace {
 
 constexpr Index kVerticesOfCone = 16;  ///< at least: cones need triangles around them
 
-/// Of the default cones of a closed surface: up to so many start from `greedy` and are moved one by
-/// one, each costing a solve; more start from SimpleConeTargets and are moved all at once.
-constexpr int kMostMovedOneByOne = 96, kMostMoves = 256, kMostSweeps = 30;
+/// Of the default cones of a closed surface: up to so many start from `greedy`, more from
+/// SimpleConeTargets.
+constexpr int kMostGreedy = 96;
+/// One by one a sweep of them costs a solve a cone; more are moved all at once, for maps as good.
+constexpr int kMostMovedOneByOne = 12, kMostSweeps = 30;
 
 /// Of a torus: it gets cones where its area would else range over more than e^4 and over a fifth
 /// less with them (docs/maps.md).
@@ -42,12 +44,13 @@ StatusOr<std::vector<Cone>> GreedyCones(const ConeProblem& problem, int count) {
 
 /// `count` cones moved to where the predicted angle distortion is least.
 StatusOr<std::vector<Cone>> MovedCones(const ConeProblem& problem, int count) {
-  OptionMap options = {{"measure", "angle"}, {"max_sweeps", std::to_string(kMostSweeps)}};
-  if (count > kMostMovedOneByOne) {
+  OptionMap options = {{"measure", "angle"},
+                       {"max_sweeps", std::to_string(kMostSweeps)},
+                       {"one_by_one", std::to_string(kMostMovedOneByOne)}};
+  if (count > kMostGreedy) {
     options["start"] = "curvature_peaks";
   } else {
     options["cones"] = std::to_string(count);
-    options["max_sweeps"] = std::to_string(std::min(kMostSweeps, kMostMoves / count));
   }
   return ConesBy("moving", options, problem);
 }
