@@ -96,6 +96,22 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   }
 }
 
+/// Two network namespaces: nothing but TCP joins the ranks.
+TEST_F(MpiRanks, TwoHostsGiveTheMapOfOne) {
+  const std::string hosts = "timeout 120 " + ProjectPath("tests/mpi/two_hosts") + " ";
+  const ProgramResult names = RunShell(hosts + "hostname");
+  if (names.exit_status != 0) GTEST_SKIP() << "no namespaces here: " << names.output;
+  EXPECT_THAT(names.output, HasSubstr("here"));
+  EXPECT_THAT(names.output, HasSubstr("there"));
+  const std::string amg = "--radii_solver=newton_amg --angle_solver=newton_amg";
+  ASSERT_EQ(RunShell(Program("one.obj", amg)).exit_status, 0);
+  const ProgramResult two = RunShell(hosts + Program("two.obj", amg));
+  ASSERT_EQ(two.exit_status, 0) << two.output;
+  const Points one = ReadUv(folder_.Path("one.obj"));
+  EXPECT_GT(one.lpNorm<Eigen::Infinity>(), 0);
+  EXPECT_LT(Distance(one, ReadUv(folder_.Path("two.obj"))), 1e-9);
+}
+
 TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {
   const ProgramResult run = RunShell(
       kMpirun + ("-n 2 " + Program("no/such/folder/out.obj", "--radii_solver=newton_amg")));
