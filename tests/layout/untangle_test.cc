@@ -1,5 +1,6 @@
 #include "cirque/layout/untangle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -7,6 +8,7 @@
 
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/layout/map_objective.h"
 #include "cirque/layout/planar_layout.h"
 #include "cirque/metrics/injectivity.h"
 
@@ -106,6 +108,31 @@ TEST_F(UntangleFlippedTrianglesTest, AStarWithoutAKernelIsLeftAlone) {
   Untangle(&flat);
   EXPECT_FALSE(flat.flipped.empty());
   for (const Index f : flat.flipped) EXPECT_LT(flat.angles.value.segment<3>(3 * f).minCoeff(), 0);
+}
+
+TEST_F(UntangleFlippedTrianglesTest, AKernelIsFoundHoweverSmallAndOneThatDoublesDoNotHoldIsNone) {
+  const InputChart moved = Displaced({{Vertex(3, 3), {1.3, 0.2, 0}}});
+  const MapObjective mips = *MapObjectives().Find("mips");
+  const EdgeLengths lengths = MeasureEdgeLengths(strip_);
+  const IntrinsicSurface surface = MeasureSurface(t(), lengths);
+  const auto corner = std::find(t().vertex.begin(), t().vertex.end(), Vertex(3, 3));
+  const auto best = [&](const InputChart& flat) {
+    return VertexStar(t(), surface.angles, surface.lengths, flat,
+                      static_cast<Index>(corner - t().vertex.begin()))
+        .BestPosition(mips);
+  };
+  // Where it was before it was moved, seen from where it is and turned with one of its edges.
+  ASSERT_TRUE(best(moved).has_value());
+  EXPECT_NEAR(std::abs(*best(moved)), std::hypot(1.3, 0.2), 1e-6);
+  for (const double scale : {1e-100, 1e100}) {
+    InputChart scaled = moved;
+    scaled.lengths.value *= scale;
+    ASSERT_TRUE(best(scaled).has_value()) << scale;
+    EXPECT_NEAR(std::abs(*best(scaled)), scale * std::hypot(1.3, 0.2), 1e-6 * scale);
+  }
+  InputChart collapsed = moved;
+  collapsed.lengths.value.setZero();
+  EXPECT_FALSE(best(collapsed).has_value());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ using Complex = std::complex<double>;
 constexpr int kRelaxations = 400;       ///< projections onto the kernel's sides
 constexpr int kSteps = 20;              ///< of Gauss-Newton
 constexpr double kShortestStep = 1e-4;  ///< of a line search
+constexpr double kFar = 100;            ///< of a kernel, over the star's radius
 
 double Cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
@@ -111,12 +112,36 @@ double VertexStar::Radius() const {
   return radius;
 }
 
+/// Whether no position lies that far inside all sides: a square about the star, cut along each.
+bool VertexStar::KernelIsEmpty(double margin) const {
+  const double far = kFar * Radius();
+  std::vector<Complex> region = {{-far, -far}, {far, -far}, {far, far}, {-far, far}}, cut;
+  for (const Face& face : faces_) {
+    const double length = std::abs(face.to - face.from);
+    if (!(length > 0)) return true;  // lengths that doubles do not hold
+    const auto depth = [&](Complex at) {
+      return Cross(face.from - at, face.to - at) / length - margin;
+    };
+    cut.clear();
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const Complex a = region[k], b = region[(k + 1) % region.size()];
+      const double of_a = depth(a), of_b = depth(b);
+      if (of_a >= 0) cut.push_back(a);
+      if ((of_a < 0) != (of_b < 0)) cut.push_back(a + of_a / (of_a - of_b) * (b - a));
+    }
+    region.swap(cut);
+    if (region.empty()) return true;
+  }
+  return false;
+}
+
 /// Onto the side of the kernel that is missed most, again and again, with margins in proportion to
 /// the star: wide ones first, since a kernel that has room for them lets the position lie well
 /// inside.
 std::optional<Complex> VertexStar::PositionInKernel() const {
   for (const double share : {0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
     const double margin = share * Radius();
+    if (KernelIsEmpty(margin)) continue;
     Complex position = 0;
     for (int round = 0; round < kRelaxations; ++round) {
       double least = std::numeric_limits<double>::infinity();
