@@ -12,6 +12,7 @@
 #include "cirque/domains/disk_placement.h"
 #include "cirque/domains/exact_disk.h"
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/domains/refine_on_shape.h"
 #include "cirque/mesh/split_chords.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/metrics/mapped_faces.h"
@@ -104,13 +105,13 @@ KeptVertices KeptInDisk(const IntrinsicSurface& surface, const DomainOptions& sh
 
 /// Refines the map of the surface, a triangulation of the disk's vertices, inside the circle. Not
 /// where the inner vertices' centre of mass is at 0.
-Status RefineInDisk(const IntrinsicSurface& surface, const MapRequest& request,
-                    const SolveControl& control, DiskPlacement* disk,
+Status RefineInDisk(const IntrinsicSurface& surface, const DomainOptions& shape,
+                    const std::string& refine_map, const SolveControl& control, DiskPlacement* disk,
                     std::optional<MapRefinementSummary>* summary) {
-  if (request.shape.normalization == "area") return Status();
+  if (shape.normalization == "area") return Status();
   CornerUv uv = disk->UvOf(surface.triangulation);
-  const Status status = RefineHeldMap(surface, KeptInDisk(surface, request.shape, *disk),
-                                      request.options.refine_map, control.cancelled, &uv, summary);
+  const Status status = RefineHeldMap(surface, KeptInDisk(surface, shape, *disk), refine_map,
+                                      control.cancelled, &uv, summary);
   if (status.ok()) disk->TakePositions(surface.triangulation, uv);
   return status;
 }
@@ -127,7 +128,10 @@ Status MakeExactInDisk(const IntrinsicSurface& surface, const SolvedChart& first
   if (disk->position().empty()) return DiskUnrepresentable("points of the unit disk");
   if (FlippedFaces(whole.triangulation, disk->UvOf(whole.triangulation)).empty()) {
     std::optional<MapRefinementSummary> unused;
-    if (Status s = RefineInDisk(solved, request, control, disk, &unused); !s.ok()) return s;
+    if (Status s =
+            RefineInDisk(solved, request.shape, request.options.refine_map, control, disk, &unused);
+        !s.ok())
+      return s;
   }
   const Status status = DrawExactDisk(surface.triangulation, whole, disk->UvOf(whole.triangulation),
                                       from, request.options.exact_limit, map);
@@ -164,8 +168,9 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
   }
   if (clean || !first) {
     control.BeginStage("refinement");
-    Status refined =
-        RefineInDisk(intrinsic, request, control, &disk, &map->certificate.map_refinement);
+    Status refined = RefineInDisk(intrinsic, request.shape,
+                                  RefinementOnShape(request.options.refine_map, map->certificate),
+                                  control, &disk, &map->certificate.map_refinement);
     if (!refined.ok()) return refined;
   }
   if (request.options.exact && !first) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/domains/refine_on_shape.h"
 #include "cirque/domains/sphere_pole.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/pipeline/road_keeper.h"
@@ -13,8 +14,6 @@ namespace cirque {
 namespace {
 
 constexpr int kMoreIterations = 10;  ///< times
-/// To rest: a step that brings less than a hundred-thousandth is the last.
-constexpr char kToRest[] = "mips:steps=100,decrease=1e-5";
 constexpr Index kPolesTried = 4;  ///< most that a domain tries by itself
 
 /// A road taken.
@@ -73,7 +72,7 @@ bool PoleIsFree(const Ended& at) {
 // What rungs change; false: nothing.
 
 bool Rest(const Ended& /*at*/, int /*number*/, MapRequest* request) {
-  request->options.refine_map = kToRest;
+  request->options.refine_map = kRefineToRest;
   return true;
 }
 

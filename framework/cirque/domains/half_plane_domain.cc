@@ -10,6 +10,7 @@
 #include "cirque/domains/disk_map.h"
 #include "cirque/domains/exact_disk.h"
 #include "cirque/domains/half_plane_chart.h"
+#include "cirque/domains/refine_on_shape.h"
 #include "cirque/mesh/split_chords.h"
 #include "cirque/metrics/injectivity.h"
 #include "cirque/pipeline/finish_layout.h"
@@ -92,7 +93,7 @@ Status CheckNoOverhang(const Surface& surface, const IntrinsicSurface& intrinsic
 /// boundary slide along the real axis, but for the ends of the chain, and the pole's link stays.
 /// `t` with `lengths` is a triangulation of the chart's rest.
 Status RefineInHalfPlane(const Triangulation& t, const EdgeLengths& lengths,
-                         const MapRequest& request, const SolveControl& control,
+                         const std::string& refine_map, const SolveControl& control,
                          HalfPlaneChart* chart, std::optional<MapRefinementSummary>* summary) {
   const PuncturedDisk& disk = chart->disk;
   if (disk.rest.face.empty()) return Status();
@@ -109,8 +110,8 @@ Status RefineInHalfPlane(const Triangulation& t, const EdgeLengths& lengths,
     const Complex z = chart->position[disk.rest.vertex[v]];
     uv.value.emplace_back(z.real(), z.imag());
   }
-  const Status status = RefineHeldMap(rest, std::move(kept), request.options.refine_map,
-                                      control.cancelled, &uv, summary);
+  const Status status =
+      RefineHeldMap(rest, std::move(kept), refine_map, control.cancelled, &uv, summary);
   for (Index h = 0; status.ok() && h < t.num_halfedges(); ++h) {
     chart->position[disk.rest.vertex[t.vertex[h]]] = {uv.value[h].x(), uv.value[h].y()};
   }
@@ -129,8 +130,8 @@ Status MakeExactInHalfPlane(const IntrinsicSurface& surface, const MapRequest& r
   *height = RaisePole(whole.triangulation, first->chart, &uv, &flipped);
   if (flipped.empty()) {
     std::optional<MapRefinementSummary> unused;
-    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths, request,
-                                     control, &first->chart, &unused);
+    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths,
+                                     request.options.refine_map, control, &first->chart, &unused);
         !s.ok()) {
       return s;
     }
@@ -176,8 +177,10 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   }
   if (clean) {
     control.BeginStage("refinement");
-    Status refined = RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths, request,
-                                       control, &chart, &map->certificate.map_refinement);
+    Status refined =
+        RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths,
+                          RefinementOnShape(request.options.refine_map, map->certificate), control,
+                          &chart, &map->certificate.map_refinement);
     if (!refined.ok()) return refined;
   }
   FlippedFrom(t, chart, height, &uv);

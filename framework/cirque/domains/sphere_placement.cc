@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cirque/domains/refine_on_shape.h"
 #include "cirque/domains/sphere_refinement.h"
 #include "cirque/metrics/injectivity.h"
 
@@ -26,7 +27,8 @@ Status SpherePlacement::Place(PlaneWithPole plane) {
 Status SpherePlacement::RefineThenNormalize(PlaneWithPole plane) {
   const PlaneWithPole before = plane;
   control_.BeginStage("refinement");
-  Status status = RefineOnSphere(surface_.triangulation, lengths_, chart_, refine_map_,
+  Status status = RefineOnSphere(surface_.triangulation, lengths_, chart_,
+                                 RefinementOnShape(refine_map_, map_.certificate),
                                  control_.cancelled, &plane, &map_.certificate.map_refinement);
   if (!status.ok()) return status;
   status = Normalize(plane);
