@@ -252,12 +252,23 @@ class LadderOfManyVertices : public Ladder {
   LadderOfManyVertices() : Ladder(4000) {}
 };
 
-// There a few cones more unfold little, and many are long seams.
+// There cones wherever the surface is curved are many, and long seams.
 TEST_F(LadderOfManyVertices, OnlyAMapOfNoUseGetsThem) {
-  EXPECT_TRUE(Climb({}, Distorted(2.9, 1)).ok());
-  EXPECT_FALSE(map_.certificate.ladder.has_value());
   EXPECT_TRUE(Climb({}, Distorted(3.1, 1)).ok());
   EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50"));
+}
+
+TEST_F(LadderOfManyVertices, AMapOfLittleUseGetsFourTimesAsManyCones) {
+  EXPECT_TRUE(Climb({}, Distorted(1.4, 1)).ok());
+  EXPECT_FALSE(map_.certificate.ladder.has_value());
+  EXPECT_TRUE(Climb({}, Distorted(1.6, 1.2)).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "moving_4"));
+  EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 1.2);
+  EXPECT_EQ(map_.certificate.ladder->made_with, "four times as many cones by moving");
+  // Not half as much.
+  EXPECT_TRUE(Climb({}, Distorted(2.9, 2.1)).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "moving_4"));
+  EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 2.9);
 }
 
 TEST_F(Ladder, CancellationEndsIt) {

@@ -7,9 +7,9 @@
 namespace cirque {
 namespace {
 
-/// Mean quasi-conformal distortion of a map of no use, and of one of little: of a coarse surface, whose
-/// few triangles cannot bend and which a few cones unfold.
-constexpr double kDistorted = 3, kDistortedCoarse = 1.5;
+/// Mean quasi-conformal distortion of a map of no use, and of one of little. Of a coarse surface that is
+/// one, too: its few triangles cannot bend, and a few cones unfold it.
+constexpr double kOfNoUse = 3, kOfLittleUse = 1.5;
 constexpr double kLessDistorted = 0.5;  ///< of what it is above 1, for which longer seams are taken
 
 /// A road taken.
@@ -69,26 +69,38 @@ class Climb {
     return counts ? distortion->quasi_conformal_mean : 1;
   }
 
-  double MostDistorted() const { return IsCoarse(start_.surface) ? kDistortedCoarse : kDistorted; }
+  bool IsOfNoUse(double distortion) const {
+    return distortion > (IsCoarse(start_.surface) ? kOfLittleUse : kOfNoUse);
+  }
 
-  /// Cones wherever the surface is curved, instead of a map of little use or none.
+  /// More cones instead of a map of little use, cones wherever the surface is curved instead of one of
+  /// none.
   void ReduceDistortion(const Taken& asked) {
-    std::optional<int> least_cones;
+    if (Distortion() > kOfLittleUse && !IsOfNoUse(Distortion())) {
+      if (!TryLessDistorted(MoreConesRung(), asked)) return;
+    }
     for (const Rung& rung : CurvedRungs()) {
-      const double distortion = Distortion();
-      if (!(distortion > MostDistorted())) return;
+      if (!IsOfNoUse(Distortion())) return;
       const bool is_last = &rung == &CurvedRungs().back();
       const bool is_cut_anyway = IsConedWhereCurved(keeper_.kept().road);
-      if (keeper_.HasTried(rung.name) || (is_last && !is_cut_anyway)) continue;
-      const EndedRoad last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
-                           asked.end, &least_cones};
-      const std::shared_ptr<Taken> taken = ByCircles(last) ? TakeRung(rung, last) : nullptr;
-      if (!taken) continue;
-      if (taken->status.code() == StatusCode::kCancelled) return;
-      if (taken->end != RoadEnd::kMap) continue;
-      const double mean = taken->map.certificate.distortion->quasi_conformal_mean;
-      if (mean - 1 < kLessDistorted * (distortion - 1)) keeper_.Prefer(rung.made_with, taken);
+      if (is_last && !is_cut_anyway) continue;
+      if (!TryLessDistorted(rung, asked)) return;
     }
+  }
+
+  /// Prefers the rung's map where that is distorted half as much. False: cancelled.
+  bool TryLessDistorted(const Rung& rung, const Taken& asked) {
+    if (keeper_.HasTried(rung.name)) return true;
+    std::optional<int> least_cones;
+    const EndedRoad last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
+                         asked.end, &least_cones};
+    const std::shared_ptr<Taken> taken = ByCircles(last) ? TakeRung(rung, last) : nullptr;
+    if (!taken) return true;
+    if (taken->status.code() == StatusCode::kCancelled) return false;
+    if (taken->end != RoadEnd::kMap) return true;
+    const double mean = taken->map.certificate.distortion->quasi_conformal_mean;
+    if (mean - 1 < kLessDistorted * (Distortion() - 1)) keeper_.Prefer(rung.made_with, taken);
+    return true;
   }
 
   void TryRungs() {

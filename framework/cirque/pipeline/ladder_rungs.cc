@@ -193,6 +193,9 @@ bool TakeEquivalence(const EndedRoad& last, int /*number*/, Road* road) {
   return true;
 }
 
+constexpr Rung kMoreCones = {
+    "moving_4", "four times as many cones by moving", false, MayChooseCones, PlaceMoving, 4};
+
 constexpr Rung kCurved[] = {{"curved_50", "cones where half of the curvature is", false,
                              MayChooseCones, PlaceWhereCurved, 5000},
                             {"curved_90", "cones where 90 % of the curvature are", false,
@@ -219,7 +222,7 @@ constexpr Rung kRungs[] = {
     {"widen_cones_4", "moved cones of wider angles", false, ConesInfeasible, Repair, 5},
     {"greedy", "cones by greedy", false, MayChooseCones, PlaceGreedy, 1},
     {"moving_2", "twice as many cones by moving", false, MayChooseCones, PlaceMoving, 2},
-    {"moving_4", "four times as many cones by moving", false, MayChooseCones, PlaceMoving, 4},
+    kMoreCones,
     {"greedy_8", "eight times as many cones by greedy", false, MayChooseCones, PlaceGreedy, 8},
     {"moving", "cones by moving", false, MayChooseCones, PlaceMoving, 1},
     {"l1", "cones by l1", false, MayChooseCones, PlaceL1, 1},
@@ -246,6 +249,7 @@ bool IsCoarse(const IntrinsicSurface& surface) {
 }
 
 std::span<const Rung> AllRungs() { return kRungs; }
+const Rung& MoreConesRung() { return kMoreCones; }
 std::span<const Rung> CurvedRungs() { return kCurved; }
 
 bool IsConedWhereCurved(const Road& road) { return road.options.cones.starts_with(kWhereCurved); }

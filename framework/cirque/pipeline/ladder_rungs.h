@@ -56,6 +56,9 @@ std::span<const Rung> AllRungs();
 /// The names of the rungs, in order.
 std::vector<std::string> LadderRungs();
 
+/// The one that moves four times as many cones: also for maps of little use.
+const Rung& MoreConesRung();
+
 /// Those that place cones wherever the surface is curved, the least share first: also for maps of no
 /// use, the last where one before led to those.
 std::span<const Rung> CurvedRungs();
