@@ -14,7 +14,7 @@ namespace cirque {
 namespace {
 
 constexpr int kMoreIterations = 10;  ///< times
-constexpr Index kPolesTried = 4;  ///< most that a domain tries by itself
+constexpr Index kPolesTried = 4;     ///< most that a domain tries by itself
 
 /// A road taken.
 struct Taken {
