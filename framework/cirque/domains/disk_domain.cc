@@ -128,10 +128,10 @@ Status MakeExactInDisk(const IntrinsicSurface& surface, const SolvedChart& first
   if (disk->position().empty()) return DiskUnrepresentable("points of the unit disk");
   if (FlippedFaces(whole.triangulation, disk->UvOf(whole.triangulation)).empty()) {
     std::optional<MapRefinementSummary> unused;
-    if (Status s =
-            RefineInDisk(solved, request.shape, request.options.refine_map, control, disk, &unused);
-        !s.ok())
-      return s;
+    const std::string refine_map =
+        RefinementOnShape(request.options.refine_map, first.layout_closure);
+    Status refined = RefineInDisk(solved, request.shape, refine_map, control, disk, &unused);
+    if (!refined.ok()) return refined;
   }
   const Status status = DrawExactDisk(surface.triangulation, whole, disk->UvOf(whole.triangulation),
                                       from, request.options.exact_limit, map);
@@ -168,9 +168,10 @@ Status SolveDisk(const Surface& surface, const MapRequest& request, const CutFro
   }
   if (clean || !first) {
     control.BeginStage("refinement");
-    Status refined = RefineInDisk(intrinsic, request.shape,
-                                  RefinementOnShape(request.options.refine_map, map->certificate),
-                                  control, &disk, &map->certificate.map_refinement);
+    const std::string refine_map =
+        RefinementOnShape(request.options.refine_map, map->certificate.layout->layout_closure);
+    Status refined = RefineInDisk(intrinsic, request.shape, refine_map, control, &disk,
+                                  &map->certificate.map_refinement);
     if (!refined.ok()) return refined;
   }
   if (request.options.exact && !first) {
@@ -232,9 +233,10 @@ Status SolveWithChordsSplit(const Surface& surface, const std::vector<bool>& cho
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const IntrinsicSurface intrinsic = MeasureSurface(t, lengths);
   if (clean && request.shape.normalization != "area") {
-    status = RefineHeldMap(intrinsic, KeptAtMarks(intrinsic, request.shape, uv),
-                           request.options.refine_map, control.cancelled, &uv,
-                           &map->certificate.map_refinement);
+    const std::string refine_map =
+        RefinementOnShape(request.options.refine_map, map->certificate.layout->layout_closure);
+    status = RefineHeldMap(intrinsic, KeptAtMarks(intrinsic, request.shape, uv), refine_map,
+                           control.cancelled, &uv, &map->certificate.map_refinement);
     if (!status.ok()) return status;
   }
   DiskSummary& summary = *map->certificate.disk;

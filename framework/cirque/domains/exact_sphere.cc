@@ -7,6 +7,7 @@
 
 #include "cirque/core/count.h"
 #include "cirque/core/solve_summary.h"
+#include "cirque/domains/refine_on_shape.h"
 #include "cirque/domains/sphere_refinement.h"
 #include "cirque/intrinsic/overlay.h"
 #include "cirque/intrinsic/straight_lines.h"
@@ -22,12 +23,12 @@ using Positions = std::vector<Eigen::Vector3d>;
 
 /// The refined map where that flips no triangle that was solved on, else the one given.
 StatusOr<Positions> Refined(const Surface& surface, const IntrinsicTriangulation& solved,
-                            const DomainOptions& shape, const ParameterizeOptions& options,
+                            const DomainOptions& shape, const std::string& refine_map,
                             const SphereChart& chart, PlaneWithPole plane,
                             const std::atomic<bool>* cancelled, Positions before) {
   std::optional<MapRefinementSummary> unused;
-  const Status status = RefineOnSphere(solved.triangulation, solved.lengths, chart,
-                                       options.refine_map, cancelled, &plane, &unused);
+  const Status status = RefineOnSphere(solved.triangulation, solved.lengths, chart, refine_map,
+                                       cancelled, &plane, &unused);
   if (!status.ok()) return status;
   const auto normalized = NormalizeChart(surface, plane, shape.normalization);
   if (!normalized.ok()) return before;
@@ -77,7 +78,9 @@ Status MakeExactOnSphere(const Surface& surface, const IntrinsicTriangulation& s
   Positions position = LiftAll(surface, plane, normalized->chart, shape.principal_axes);
   if (Status s = CheckNotFlipped(solved.triangulation, position); !s.ok()) return s;
   if (options.refine_map != "none") {
-    auto refined = Refined(surface, solved, shape, options, normalized->chart, plane, cancelled,
+    const std::string refine_map =
+        RefinementOnShape(options.refine_map, map->certificate.layout->layout_closure);
+    auto refined = Refined(surface, solved, shape, refine_map, normalized->chart, plane, cancelled,
                            std::move(position));
     if (!refined.ok()) return refined.status();
     position = *std::move(refined);

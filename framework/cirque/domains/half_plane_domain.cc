@@ -130,8 +130,10 @@ Status MakeExactInHalfPlane(const IntrinsicSurface& surface, const MapRequest& r
   *height = RaisePole(whole.triangulation, first->chart, &uv, &flipped);
   if (flipped.empty()) {
     std::optional<MapRefinementSummary> unused;
-    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths,
-                                     request.options.refine_map, control, &first->chart, &unused);
+    const std::string refine_map =
+        RefinementOnShape(request.options.refine_map, first->layout_closure);
+    if (Status s = RefineInHalfPlane(first->rest.triangulation, first->rest.lengths, refine_map,
+                                     control, &first->chart, &unused);
         !s.ok()) {
       return s;
     }
@@ -177,9 +179,10 @@ Status MapToHalfPlane(const Surface& surface, const MapRequest& request,
   }
   if (clean) {
     control.BeginStage("refinement");
+    const std::string refine_map =
+        RefinementOnShape(request.options.refine_map, map->certificate.layout->layout_closure);
     Status refined =
-        RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths,
-                          RefinementOnShape(request.options.refine_map, map->certificate), control,
+        RefineInHalfPlane(chart.disk.rest.triangulation, chart.disk.lengths, refine_map, control,
                           &chart, &map->certificate.map_refinement);
     if (!refined.ok()) return refined;
   }

@@ -27,9 +27,10 @@ Status SpherePlacement::Place(PlaneWithPole plane) {
 Status SpherePlacement::RefineThenNormalize(PlaneWithPole plane) {
   const PlaneWithPole before = plane;
   control_.BeginStage("refinement");
-  Status status = RefineOnSphere(surface_.triangulation, lengths_, chart_,
-                                 RefinementOnShape(refine_map_, map_.certificate),
-                                 control_.cancelled, &plane, &map_.certificate.map_refinement);
+  Status status =
+      RefineOnSphere(surface_.triangulation, lengths_, chart_,
+                     RefinementOnShape(refine_map_, map_.certificate.layout->layout_closure),
+                     control_.cancelled, &plane, &map_.certificate.map_refinement);
   if (!status.ok()) return status;
   status = Normalize(plane);
   return status.ok() && flipped_.empty() ? status : Normalize(before);
