@@ -113,8 +113,8 @@ double VertexStar::Radius() const {
 }
 
 /// Whether no position lies that far inside all sides: a square about the star, cut along each.
-bool VertexStar::KernelIsEmpty(double margin) const {
-  const double far = kFar * Radius();
+bool VertexStar::KernelIsEmpty(double margin, double radius) const {
+  const double far = kFar * radius;
   std::vector<Complex> region = {{-far, -far}, {far, -far}, {far, far}, {-far, far}}, cut;
   for (const Face& face : faces_) {
     const double length = std::abs(face.to - face.from);
@@ -139,9 +139,10 @@ bool VertexStar::KernelIsEmpty(double margin) const {
 /// the star: wide ones first, since a kernel that has room for them lets the position lie well
 /// inside.
 std::optional<Complex> VertexStar::PositionInKernel() const {
+  const double radius = Radius();
   for (const double share : {0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
-    const double margin = share * Radius();
-    if (KernelIsEmpty(margin)) continue;
+    const double margin = share * radius;
+    if (KernelIsEmpty(margin, radius)) continue;
     Complex position = 0;
     for (int round = 0; round < kRelaxations; ++round) {
       double least = std::numeric_limits<double>::infinity();

@@ -44,7 +44,7 @@ class VertexStar {
   Complex Beltrami(const Face& face, Complex position, Complex* f_z) const;
   double Value(const MapObjective& objective, Complex position) const;
   std::optional<Complex> PositionInKernel() const;
-  bool KernelIsEmpty(double margin) const;
+  bool KernelIsEmpty(double margin, double radius) const;
   bool SeesAll(Complex position) const;
   double Radius() const;
 
