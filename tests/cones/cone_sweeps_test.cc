@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cones/cone_heuristic.h"
+#include "cirque/cones/moving_cones.h"
 #include "cirque/cones/registry.h"
 
 #include "tests/common/surfaces.h"
@@ -92,14 +93,27 @@ TEST(MovingCones, MovesMoreThanOneByOneAllAtOnce) {
   const auto norm = [&](const std::vector<Cone>& cones) {
     return AreaNorm(problem, PredictedLogScale(problem, cones));
   };
-  for (const std::string cones : {"20", "110"}) {
-    const std::vector<Cone> peaks = choose("curvature_peaks", {{"cones", cones}});
-    const std::vector<Cone> moved =
-        choose("moving", {{"start", "curvature_peaks"}, {"cones", cones}, {"one_by_one", "12"}});
+  const auto vertices = [](const std::vector<Cone>& cones) {
+    std::vector<Index> of_cones;
+    for (const Cone& cone : cones) of_cones.push_back(cone.vertex);
+    return of_cones;
+  };
+  const auto expect_all_at_once = [&](std::size_t more_than, OptionMap budget,
+                                      const OptionMap& own) {
+    const std::vector<Cone> peaks = choose("curvature_peaks", budget);
+    budget.insert(own.begin(), own.end());
+    budget["start"] = "curvature_peaks";
+    const std::vector<Cone> moved = choose("moving", budget);
     EXPECT_EQ(moved.size(), peaks.size());
-    EXPECT_GT(peaks.size(), 12u);
+    EXPECT_GT(peaks.size(), more_than);
     EXPECT_LT(norm(moved), norm(peaks));
-  }
+    ConeSweeps sweeps(problem, peaks, ConeMeasureKind::kArea);
+    sweeps.Run(MovingOptions().max_sweeps);
+    EXPECT_EQ(vertices(moved), vertices(sweeps.Cones()));
+    EXPECT_NE(vertices(moved), vertices(peaks));
+  };
+  expect_all_at_once(96, {{"cones", "110"}}, {});
+  expect_all_at_once(12, {{"cones", "20"}}, {{"one_by_one", "12"}});
 }
 
 }  // namespace

@@ -82,9 +82,10 @@ bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
   if (resistance_[i] * squared_stride > downhill) return false;
   const double before = fit_.Distortion();
   fit_.Move(i, to);
-  if (!fit_.FitLeastSquares() || fit_.Distortion() > (1 - kLeastGain) * before) {
-    const double gain = 0.5 * (before * before - fit_.Distortion() * fit_.Distortion());
-    resistance_[i] = (downhill - gain) / squared_stride;
+  const bool fits = fit_.FitLeastSquares();
+  const double after = fit_.Distortion();
+  if (!fits || after > (1 - kLeastGain) * before) {
+    resistance_[i] = (downhill - 0.5 * (before * before - after * after)) / squared_stride;
     fit_.UndoMove();
     return false;
   }

@@ -49,8 +49,8 @@ class ConeMoves {
   ConeFit fit_;
   std::vector<bool> taken_;
   std::vector<int> stride_;  ///< of each cone's next move; 0: it rests
-  /// What each cone's last refused move lost to the slope's promise, over the square of its stride; a
-  /// shorter one loses no less than by that, and is not tried where the slope promises less. 0: unknown.
+  /// What each cone's last refused move lost to the slope's promise, over the square of its stride. A
+  /// shorter one is taken to lose no less by that, and not tried where the slope promises less. 0: unknown.
   std::vector<double> resistance_;
 };
 

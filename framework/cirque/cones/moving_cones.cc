@@ -33,10 +33,10 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
     return Status::InvalidInput("moving: start = 'moving' would never begin; name another");
   }
   // The budget is the start's; what it does not take, it refuses.
-  OptionMap rest = map;
-  for (const char* own : {"start", "max_sweeps", "measure", "relocations", "one_by_one"})
-    rest.erase(own);
-  auto start = make_start(options.start, rest);
+  const OptionTable<MovingOptions> of_start("moving", BudgetOptions<MovingOptions>());
+  OptionMap budget = map;
+  std::erase_if(budget, [&](const auto& option) { return !of_start.Find(option.first); });
+  auto start = make_start(options.start, budget);
   if (!start.ok()) return start.status().In("moving");
   return std::shared_ptr<const ConeHeuristic>(
       std::make_shared<MovingCones>(*std::move(start), options));
@@ -44,7 +44,7 @@ StatusOr<std::shared_ptr<const ConeHeuristic>> MovingCones::Make(const OptionMap
 
 namespace {
 
-constexpr std::size_t kMany = 96;
+constexpr std::size_t kMany = 96;  ///< cones
 
 /// Many of them for less area distortion first, by which those far from where they belong find the way,
 /// then for the measure; or for the measure alone, where that did not lower it.
