@@ -70,6 +70,7 @@ class ExactMapMaker {
                     std::abs(a.along_other - b.along_other)});
     }
     if (left.empty()) return Status();
+    NoteOtherFaces(left, &repair->too_small);
     return Status(StatusCode::kUnrepresentable,
                   fmt::format("the exact map has {} that doubles cannot hold, in face {} "
                               "(0-based) of the input the first",
@@ -183,6 +184,12 @@ class ExactMapMaker {
       if (!good[i]) degenerate.push_back(faces[i]);
     }
     return degenerate;
+  }
+
+  void NoteOtherFaces(const std::vector<Index>& faces, std::vector<Index>* other) const {
+    for (const Index p : faces) other->push_back(overlay_.other_face[p]);
+    std::sort(other->begin(), other->end());
+    other->erase(std::unique(other->begin(), other->end()), other->end());
   }
 
   /// The edges on which the faces have crossings.

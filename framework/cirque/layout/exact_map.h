@@ -46,6 +46,8 @@ struct ExactMap {
 struct ExactMapRepair {
   int edges_spread = 0;      ///< edges along which crossings were moved apart
   double largest_shift = 0;  ///< of a crossing, as a fraction of its edge
+  /// Faces of the other triangulation with parts that doubles do not hold where they lie, increasing.
+  std::vector<Index> too_small;
 };
 
 /// The exact map of `uv` (3F of `other`), which is continuous but along `cut`, on the input. Every

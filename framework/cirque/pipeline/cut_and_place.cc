@@ -22,6 +22,7 @@
 #include "cirque/pipeline/cut_costs.h"
 #include "cirque/pipeline/finish_layout.h"
 #include "cirque/pipeline/prescribe_boundary.h"
+#include "cirque/pipeline/several_origins.h"
 
 namespace cirque {
 namespace {
@@ -135,6 +136,13 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   LayoutSummary& summary = Fill(&certificate.layout);
   ScalePieces(job.surface, &layout.uv);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
+  const bool several_origins = job.alone && !(flipped.empty() && job.alone->empty());
+  if (several_origins) {
+    const FlatTriangles of = {t, flat, cones};
+    if (Status s = LayOutAboutSeveralOrigins(of, *job.alone, &*cut, &layout); !s.ok()) return s;
+    flipped.clear();
+    summary.origins = static_cast<int>(layout.patches.count);
+  }
   if (!IsFinite(layout.uv)) return Unrepresentable({t, flat, layout.uv, flipped});
   std::optional<CornerUv> convex;
   if (!flipped.empty() && MayBeginConvexly(job, result->targets, *cut)) {
@@ -145,7 +153,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   const bool may_be_flipped = result->flat.exact.has_value();
   // That of conformal equivalence is not refined (exact_layout.cc); neither is the one beside it.
   const bool as_solved = may_be_flipped && result->flat.exact->equivalent;
-  if (flipped.empty() || may_be_flipped) {
+  if (!several_origins && (flipped.empty() || may_be_flipped)) {
     LaidOutSurface of = {job.surface, flat, *cut, cones, job.control.cancelled};
     if (flipped.empty() && (convex || flat.flipped.empty()) && !as_solved) {
       job.control.BeginStage("refinement");

@@ -30,6 +30,9 @@ struct ParameterizeJob {
   const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
   bool targets_given = false;                              ///< the angle sums are the caller's own
   const std::function<Status(SolvedLayout*)>* place_exact = nullptr;  ///< null: it stays
+  /// Faces to be laid out each by itself, and others where doubles do not hold them about one origin
+  /// (LayOutAboutSeveralOrigins); null: all about one.
+  const std::vector<Index>* alone = nullptr;
 };
 
 /// The given cut and what is needed beyond it to open all cones and leave disks, as many as the

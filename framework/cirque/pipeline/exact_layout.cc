@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -34,10 +35,14 @@ Cut CutOfSolved(const Job& job, const IntrinsicTriangulation& solved) {
 
 bool IsCirclePattern(const SolvedMetric& solved) { return !solved.equivalent; }
 
-/// The layout of the triangulation that was solved on. A refinement would compare its triangles with
-/// the surface's, which Ptolemy flips leave none of.
+/// Whether the layout is to be moved, as one piece.
+bool PlacesExact(const Job& job) { return job.place_exact && *job.place_exact; }
+
+/// The layout of the triangulation that was solved on, these faces by themselves. A refinement would
+/// compare its triangles with the surface's, which Ptolemy flips leave none of.
 Status LayOutSolved(const Job& job, const SolvedMetric& solved, const IntrinsicSurface& surface,
-                    const Parameterization& whole, Parameterization* layout) {
+                    const Parameterization& whole, const std::vector<Index>& alone,
+                    Parameterization* layout) {
   ParameterizeOptions options = job.options;
   options.edge_costs.clear();  // of edges of the input
   if (!IsCirclePattern(solved)) options.refine_map = "none";
@@ -45,7 +50,8 @@ Status LayOutSolved(const Job& job, const SolvedMetric& solved, const IntrinsicS
   layout->targets = TransferTargets(job.surface, whole.targets, surface);
   layout->flat.log_radii = whole.flat.log_radii;
   layout->flat.on_input = {solved.angles, solved.lengths, {}};
-  const Job of_solved = {surface, job.file, &given, options, job.control, nullptr, job.position};
+  Job of_solved = {surface, job.file, &given, options, job.control, nullptr, job.position};
+  if (!PlacesExact(job)) of_solved.alone = &alone;
   return CutAndPlace(of_solved, layout).In("the exact map");
 }
 
@@ -67,6 +73,7 @@ void SummarizeLayout(const Parameterization& layout, ExactMapSummary* summary) {
   const Certificate& certificate = layout.certificate;
   summary->exact_layout_closure = certificate.layout->layout_closure;
   summary->exact_seam_length_mismatch = certificate.seams->seam_length_mismatch;
+  summary->exact_origins = certificate.layout->origins;
 }
 
 StatusOr<Overlay> OverlayOf(const Job& job, const SolvedMetric& solved,
@@ -90,6 +97,37 @@ std::vector<double> LogWeights(const SolvedMetric& solved, const Overlay& overla
   return weights;
 }
 
+/// One attempt at the exact map, these faces of the triangulation that was solved on by themselves; on
+/// an error notes which others are too small for doubles where they lie.
+Status DrawWith(const Job& job, const IntrinsicSurface& surface, std::vector<Index>* alone,
+                Parameterization* result) {
+  const SolvedMetric& solved = *result->flat.exact;
+  Parameterization layout;
+  if (Status s = LayOutSolved(job, solved, surface, *result, *alone, &layout); !s.ok()) return s;
+  ExactMapSummary& summary = result->certificate.exact_map.emplace();
+  SummarizeLayout(layout, &summary);
+  SolvedLayout placed = {
+      surface, solved.angles,          std::move(layout.cut), std::move(layout.uv),
+      summary, IsCirclePattern(solved)};
+  if (PlacesExact(job)) {
+    if (Status s = (*job.place_exact)(&placed); !s.ok()) return s;
+  }
+  StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
+  if (!overlay.ok()) return overlay.status().In("exact_limit");
+  ExactMap map;
+  const SolvedMap laid_out = {
+      job.surface.triangulation, surface, placed.cut, placed.uv, placed.grid, placed.part_of,
+      placed.num_wholes};
+  if (Status s = DrawExactMap(laid_out, *overlay, &summary, &map, alone); !s.ok()) return s;
+  map.log_weight = LogWeights(solved, *overlay);
+  Summarize(IsCirclePattern(solved)
+                ? DistortionOf(surface.triangulation, surface.lengths, placed.uv)
+                : DistortionOf(job.surface, map),
+            &summary);
+  result->exact_map = std::move(map);
+  return Status();
+}
+
 Status MakeExact(const Job& job, Parameterization* result) {
   if (!result->flat.exact) {
     return Status(StatusCode::kNotConverged,
@@ -99,30 +137,18 @@ Status MakeExact(const Job& job, Parameterization* result) {
   const SolvedMetric& solved = *result->flat.exact;
   const IntrinsicSurface surface =
       MeasureSurface(solved.intrinsic.triangulation, solved.intrinsic.lengths);
-  Parameterization layout;
-  if (Status s = LayOutSolved(job, solved, surface, *result, &layout); !s.ok()) return s;
-  ExactMapSummary& summary = Fill(&result->certificate.exact_map);
-  SummarizeLayout(layout, &summary);
-  SolvedLayout placed = {
-      surface, solved.angles,          std::move(layout.cut), std::move(layout.uv),
-      summary, IsCirclePattern(solved)};
-  if (job.place_exact && *job.place_exact) {
-    if (Status s = (*job.place_exact)(&placed); !s.ok()) return s;
+  std::vector<Index> alone;
+  for (std::size_t before = 0;; before = alone.size()) {
+    Status status = DrawWith(job, surface, &alone, result);
+    if (status.ok() || PlacesExact(job) || alone.size() == before) return status;
   }
-  StatusOr<Overlay> overlay = OverlayOf(job, solved, surface);
-  if (!overlay.ok()) return overlay.status().In("exact_limit");
-  ExactMap map;
-  const SolvedMap laid_out = {
-      job.surface.triangulation, surface, placed.cut, placed.uv, placed.grid, placed.part_of,
-      placed.num_wholes};
-  if (Status s = DrawExactMap(laid_out, *overlay, &summary, &map); !s.ok()) return s;
-  map.log_weight = LogWeights(solved, *overlay);
-  Summarize(IsCirclePattern(solved)
-                ? DistortionOf(surface.triangulation, surface.lengths, placed.uv)
-                : DistortionOf(job.surface, map),
-            &summary);
-  result->exact_map = std::move(map);
-  return Status();
+}
+
+/// Of increasing numbers.
+std::vector<Index> Union(const std::vector<Index>& a, const std::vector<Index>& b) {
+  std::vector<Index> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
 }
 
 }  // namespace
@@ -136,14 +162,17 @@ Status LayOutExactly(const Job& job, Parameterization* result) {
 }
 
 Status DrawExactMap(const SolvedMap& of, const Overlay& overlay, ExactMapSummary* summary,
-                    ExactMap* map) {
+                    ExactMap* map, std::vector<Index>* too_small) {
   ExactMapRepair repair;
   const Triangulation& solved = of.solved.triangulation;
   StatusOr<ExactMap> drawn =
       of.on_sphere ? MakeExactSphereMap(of.input, solved, *of.on_sphere, overlay, &repair)
                    : MakeExactMap(of.input, solved, of.cut, of.uv, overlay, &repair, of.grid);
   Summarize(of, overlay, repair, summary);
-  if (!drawn.ok()) return drawn.status();
+  if (!drawn.ok()) {
+    if (too_small) *too_small = Union(*too_small, repair.too_small);
+    return drawn.status();
+  }
   *map = *std::move(drawn);
   summary->exact_triangles = map->num_triangles();
   return Status();

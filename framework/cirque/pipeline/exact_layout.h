@@ -34,8 +34,9 @@ struct SolvedLayout {
 /// Lays out the triangulation that was solved on (FlatSurface::exact) by itself, as CutAndPlace
 /// does the job's surface, its seams along its own edges, and fills in result's exact_map, which is
 /// linear on those triangles: no triangle of it is flipped, and no vertex was moved but by the job's
-/// place_exact, which leaves none flipped. Given cuts stay where their edges do. Errors: as
-/// CutAndPlace, MakeExactMap and place_exact; kInvalidInput for an overlay above
+/// place_exact, which leaves none flipped. Given cuts stay where their edges do. What doubles do not
+/// hold about one origin lies in patches about several, each a rigid piece of the flat metric, unless
+/// place_exact needs one. Errors: as CutAndPlace, MakeExactMap and place_exact; kInvalidInput for an overlay above
 /// ParameterizeOptions::exact_limit.
 Status LayOutExactly(const ParameterizeJob& job, Parameterization* result);
 
@@ -54,9 +55,9 @@ struct SolvedMap {
 };
 
 /// Draws it on the overlay (MakeExactMap), and fills in what the certificate says of the two.
-/// Errors: as MakeExactMap.
+/// Errors: as MakeExactMap, with its ExactMapRepair::too_small.
 Status DrawExactMap(const SolvedMap& of, const Overlay& overlay, ExactMapSummary* summary,
-                    ExactMap* map);
+                    ExactMap* map, std::vector<Index>* too_small = nullptr);
 
 /// The figures of distortion for the certificate.
 void Summarize(const DistortionSummary& distortion, ExactMapSummary* summary);

@@ -160,6 +160,7 @@ struct LayoutSummary {
   std::optional<int> cones, patches, rotation_order;
   std::optional<double> cut_length, visible_cut_length;
   std::optional<double> area_used;  ///< of the bounding square of all that is written
+  std::optional<int> origins;       ///< where one does not do (LayOutAboutSeveralOrigins)
   std::optional<int> cuts_tried;    ///< that led to maps, of which this is the fullest
   std::optional<int> given_cut_edges, further_cut_edges;  ///< where a cut was given
   /// Triangles that are flipped or have no area for who reads the coordinates as floats.
@@ -210,6 +211,7 @@ struct ExactMapSummary {
   double exact_quasi_conformal_mean = kUnset, exact_quasi_conformal_max = kUnset;
   double exact_log_area_ratio_l2 = kUnset;
   double exact_layout_closure = kUnset, exact_seam_length_mismatch = kUnset;
+  std::optional<int> exact_origins;  ///< where one does not do (LayOutAboutSeveralOrigins)
   /// Its own: of a strip, an annulus, a torus.
   std::optional<double> exact_strip_period, exact_inner_radius, exact_modulus_real,
       exact_modulus_imaginary;
