@@ -51,5 +51,18 @@ TEST(SolveLaplacian, WhereNothingIsHeldTheFirstUnknownIsZeroAndDifferencesAreRig
   EXPECT_NEAR(x[3], 0.5, 1e-12);
 }
 
+TEST(SolveLaplacian, RoundingMovesNoPairWhoseDifferenceIsBelowTheSpacingOfDoublesThere) {
+  // A needle's short side: two vertices joined by 1e30, of which rounding of b would move both by 1e-16,
+  // where doubles are 1e-32 apart.
+  Eigen::MatrixXd weight = Eigen::MatrixXd::Zero(2, 2);
+  weight(0, 1) = weight(1, 0) = 1e30;
+  const Eigen::Vector2d held(1, 0), b(1e-5, -1e-5 + 1e-16);
+  const Eigen::VectorXd lost = SolveLaplacian(weight, held, b);
+  const Eigen::VectorXd x = SolveLaplacian(weight, held, b, 1e-14);
+  EXPECT_EQ(lost[0], lost[1]);
+  EXPECT_EQ(x[0], 0);
+  EXPECT_NEAR(x[1], -1e-35, 1e-45);
+}
+
 }  // namespace
 }  // namespace cirque

@@ -10,14 +10,14 @@
 namespace cirque {
 namespace {
 
-DoubleDouble Hypotenuse(double a, double b) {
-  return Sqrt(DoubleDouble(a) * a + DoubleDouble(b) * b);
+TripleDouble Hypotenuse(double a, double b) {
+  return Sqrt(TripleDouble(a) * a + TripleDouble(b) * b);
 }
 
 /// A square's two triangles, with other lengths: the diagonal's and those of the sides at the apex on
 /// its left and on its right.
 struct Quadrilateral {
-  Quadrilateral(const DoubleDouble& diagonal, const DoubleDouble& left, const DoubleDouble& right)
+  Quadrilateral(const TripleDouble& diagonal, const TripleDouble& left, const TripleDouble& right)
       : t(FlatStrip(1, 1).triangulation), length(t.num_edges()) {
     Index e = 0;
     while (t.IsBoundaryEdge(e)) ++e;
@@ -32,7 +32,7 @@ struct Quadrilateral {
   }
 
   Triangulation t;
-  std::vector<DoubleDouble> length;
+  std::vector<TripleDouble> length;
   Index h;
 };
 
@@ -90,7 +90,7 @@ TEST(ExtendedComplex, LeavesWhatIsNotConvex) {
   Index e = 0;
   while (t.IsBoundaryEdge(e)) ++e;
   const Index h = t.edge_halfedge[e];
-  const std::vector<DoubleDouble> extended(lengths.value.begin(), lengths.value.end());
+  const std::vector<TripleDouble> extended(lengths.value.begin(), lengths.value.end());
   ExtendedComplex metric(t, extended);
   const bool convex = FlipComplex(t, lengths).OtherDiagonal(h).has_value();
   EXPECT_EQ(metric.Turn(h), convex);

@@ -58,9 +58,9 @@ TEST(PtolemyComplex, OnACircleTheOtherDiagonalIsThatOfTheQuadrilateral) {
 bool ViolatesBesideNeedle(double missing, double narrow) {
   const Triangulation t = OnACircle().triangulation;
   const Index h = InnerEdge(t);
-  std::vector<DoubleDouble> scale(4, 0.0);
-  const DoubleDouble half =
-      -LogAddExp(DoubleDouble(0), 0) + missing;  // log of the obtuse one's sides
+  std::vector<TripleDouble> scale(4, 0.0);
+  const TripleDouble half =
+      -LogAddExp(TripleDouble(0), 0) + missing;  // log of the obtuse one's sides
   scale[t.vertex[h]] = half + half;
   scale[t.vertex[t.twin[h]]] = 2 * narrow;
   const PtolemyComplex complex(t, Eigen::VectorXd::Zero(t.num_edges()), scale);
@@ -73,6 +73,8 @@ TEST(PtolemyComplex, AnAngleOfAllButPiIsHeldAgainstTheNeedlesThatAddsToIt) {
   EXPECT_TRUE(ViolatesBesideNeedle(1e-28, 30));   // pi - 3e-14 + 9e-14
   EXPECT_FALSE(ViolatesBesideNeedle(1e-28, 33));  // pi - 3e-14 + 5e-15
   EXPECT_TRUE(ViolatesBesideNeedle(1e-20, 20));   // pi - 3e-10 + 2e-9
+  EXPECT_TRUE(ViolatesBesideNeedle(1e-38, 42));   // pi - 3e-19 + 6e-19
+  EXPECT_FALSE(ViolatesBesideNeedle(1e-38, 44));  // pi - 3e-19 + 8e-20
 }
 
 TEST(PtolemyComplex, FlippingTwiceComesBack) {

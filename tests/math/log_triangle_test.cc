@@ -46,10 +46,10 @@ TEST(LogTriangle, AnglesAreThoseOfTheLawOfCosines) {
 
 TEST(LogTriangle, NeedlesHaveTheirAnglesInDigitsBelowADoubles) {
   // Sides a, a - d, c: the angle at the short side is arccos(d / c) but for d and c squared.
-  for (const double log_short : {-20.0, -35.0, -45.0}) {
+  for (const double log_short : {-20.0, -45.0, -60.0, -80.0}) {
     const double share = 0.25, difference = share * std::exp(log_short);
     const LogTriangle triangle = SolveExtendedLogTriangle(
-        {DoubleDouble(30), DoubleDouble(30) - difference, DoubleDouble(30 + log_short)});
+        {TripleDouble(30), TripleDouble(30) - difference, TripleDouble(30 + log_short)});
     ASSERT_TRUE(triangle.proper);
     EXPECT_NEAR(triangle.angle[1], std::acos(share), 4e-9);
     EXPECT_NEAR(triangle.angle[0], kPi - std::acos(share), 4e-9);
@@ -59,14 +59,14 @@ TEST(LogTriangle, NeedlesHaveTheirAnglesInDigitsBelowADoubles) {
 TEST(LogTriangle, AnglesAllButPiToo) {
   // Sides 1, 1 and 2 cos(t / 2), the angle opposite which is pi - t.
   for (const double t : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    const DoubleDouble log_long =
-        LogAddExp(DoubleDouble(0), 0) - (t * t / 8 + std::pow(t, 4) / 192);
+    const TripleDouble log_long =
+        LogAddExp(TripleDouble(0), 0) - (t * t / 8 + std::pow(t, 4) / 192);
     const LogTriangle triangle = SolveExtendedLogTriangle({log_long, 0, 0});
     ASSERT_TRUE(triangle.proper) << t;
     EXPECT_NEAR(triangle.half_tangent[0] * (0.5 * t), 1, 1e-6) << t;
     for (const int k : {1, 2}) EXPECT_NEAR(triangle.angle[k] / (0.5 * t), 1, 1e-6) << t;
   }
-  const DoubleDouble too_long = LogAddExp(DoubleDouble(0), 0) + 1e-25;
+  const TripleDouble too_long = LogAddExp(TripleDouble(0), 0) + 1e-40;
   EXPECT_FALSE(SolveExtendedLogTriangle({too_long, 0, 0}).proper);
 }
 

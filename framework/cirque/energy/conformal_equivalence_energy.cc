@@ -42,7 +42,7 @@ ScaleTargets TargetsOfScales(const ConeTargets& targets) {
 ConformalEquivalenceEnergy::ConformalEquivalenceEnergy(const Triangulation& t,
                                                        const Eigen::VectorXd& log_lengths,
                                                        ScaleTargets targets, Flips flips,
-                                                       const std::vector<DoubleDouble>& scaled_by)
+                                                       const std::vector<TripleDouble>& scaled_by)
     : targets_(std::move(targets)), flips_(flips), complex_(t, log_lengths, scaled_by) {
   CHECK_EQ(static_cast<Index>(targets_.parameter.size()), t.num_vertices);
   CHECK_EQ(log_lengths.size(), t.num_edges());

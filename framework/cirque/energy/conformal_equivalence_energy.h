@@ -64,7 +64,7 @@ class ConformalEquivalenceEnergy final : public Energy {
   /// keep their digits; empty: 0.
   ConformalEquivalenceEnergy(const Triangulation& triangulation, const Eigen::VectorXd& log_lengths,
                              ScaleTargets targets, Flips flips = Flips::kPtolemy,
-                             const std::vector<DoubleDouble>& scaled_by = {});
+                             const std::vector<TripleDouble>& scaled_by = {});
 
   int NumParameters() const override { return static_cast<int>(targets_.angle_sum.size()); }
   bool Evaluate(const double* u, double* value, double* gradient) const override;

@@ -92,10 +92,10 @@ CornerAngles AnglesIn(const ExtendedComplex& metric) {
 }
 
 /// The flat lengths with the digits that they were solved with.
-std::vector<DoubleDouble> ExtendedLengths(const LogScalesResult& result) {
-  const std::vector<DoubleDouble>& log_lengths = result.extended_log_lengths;
-  std::vector<DoubleDouble> lengths;
-  for (const DoubleDouble& x : log_lengths) {
+std::vector<TripleDouble> ExtendedLengths(const LogScalesResult& result) {
+  const std::vector<TripleDouble>& log_lengths = result.extended_log_lengths;
+  std::vector<TripleDouble> lengths;
+  for (const TripleDouble& x : log_lengths) {
     lengths.push_back(Exp(x + (result.log_lengths[0] - log_lengths[0].Value())));
   }
   return lengths;

@@ -1,6 +1,7 @@
 #include "cirque/equivalence/laplacian_newton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cirque/solver/newton_loop.h"
@@ -11,6 +12,7 @@ namespace {
 
 /// A row's sum below this share of its diagonal is what rounding of the diagonal leaves.
 constexpr double kRoundedSum = 1e-13;
+constexpr double kAngleRounding = 1e-14;  ///< [rad]: of angle sums in doubles
 
 class LaplacianDirection {
  public:
@@ -35,7 +37,7 @@ class LaplacianDirection {
     for (Eigen::Index j = 0; j < n; ++j) {
       if (held[j] < kRoundedSum * diagonal[j]) held[j] = 0;
     }
-    *direction = -SolveLaplacian(std::move(weight), std::move(held), gradient);
+    *direction = -SolveLaplacian(std::move(weight), std::move(held), gradient, kAngleRounding);
     ++run_.summary().factorizations;
     return direction->allFinite() && direction->dot(gradient) < 0;
   }
@@ -47,12 +49,14 @@ class LaplacianDirection {
 
 }  // namespace
 
-Eigen::VectorXd SolveLaplacian(Eigen::MatrixXd weight, Eigen::VectorXd held, Eigen::VectorXd b) {
+Eigen::VectorXd SolveLaplacian(Eigen::MatrixXd weight, Eigen::VectorXd held, Eigen::VectorXd b,
+                               double rounding) {
   const auto n = b.size();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
   for (Eigen::Index k = n - 1; k >= 0; --k) {
     sum[k] = held[k] + weight.col(k).head(k).sum();
     if (!(sum[k] > 0)) continue;
+    if (std::abs(b[k]) <= rounding) b[k] = 0;
     for (Eigen::Index i = 0; i < k; ++i) {
       if (weight(i, k) == 0) continue;
       const double share = weight(i, k) / sum[k];

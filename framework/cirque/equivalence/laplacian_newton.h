@@ -19,8 +19,11 @@ namespace cirque {
 ///
 /// `weight`: symmetric, n x n, >= 0, minus L off the diagonal, which is not read; `held`: n, >= 0, the
 /// sums of L's rows. Parts of the graph that nothing holds get their first unknown 0: there b has to
-/// sum to 0. Cost: n^3 / 3.
-Eigen::VectorXd SolveLaplacian(Eigen::MatrixXd weight, Eigen::VectorXd held, Eigen::VectorXd b);
+/// sum to 0. What b comes to of vertices joined by heavy weights is taken for 0 where it is no more than
+/// `rounding`, that of b: it would move them together, and in the spacing of doubles at that move the
+/// much smaller ones of each against the other would be lost. Cost: n^3 / 3.
+Eigen::VectorXd SolveLaplacian(Eigen::MatrixXd weight, Eigen::VectorXd held, Eigen::VectorXd b,
+                               double rounding = 0);
 
 /// Newton's method with SolveLaplacian for an energy whose Hessian is such a matrix, as that of
 /// ConformalEquivalenceEnergy is where the metric is Delaunay: for needles, whose weights range over more

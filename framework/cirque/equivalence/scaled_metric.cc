@@ -14,8 +14,8 @@ namespace cirque {
 namespace {
 
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-/// Of the logarithms of lengths, relatively: a few units of double-double, after hundreds of flips.
-constexpr double kExtendedRounding = 0x1p-100;
+/// Of the logarithms of lengths, relatively: a few units of three doubles, after hundreds of flips.
+constexpr double kExtendedRounding = 0x1p-150;
 
 IntrinsicTriangulation AsItIs(const Triangulation& t, const EdgeLengths& lengths) {
   IntrinsicTriangulation same{t, lengths, {}, std::vector<Index>(t.num_edges())};

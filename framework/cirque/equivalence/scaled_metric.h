@@ -9,11 +9,11 @@
 #include "cirque/core/triangulation.h"
 #include "cirque/energy/conformal_equivalence_energy.h"
 #include "cirque/intrinsic/intrinsic_delaunay.h"
-#include "cirque/math/double_double.h"
+#include "cirque/math/triple_double.h"
 
 namespace cirque {
 
-using VertexScales = std::vector<DoubleDouble>;  ///< V
+using VertexScales = std::vector<TripleDouble>;  ///< V
 
 /// A closed surface, or one with a boundary whose edges stay, and the angle sums asked for.
 struct ScaleProblem {
@@ -43,14 +43,14 @@ struct ScaledMetric {
   Eigen::VectorXd log_scale;                       ///< u, V
   CornerAngles angles;                             ///< of intrinsic, scaled [rad]
   Eigen::VectorXd log_lengths;                     ///< of intrinsic, scaled
-  std::vector<DoubleDouble> extended_log_lengths;  ///< the same, as they were solved
+  std::vector<TripleDouble> extended_log_lengths;  ///< the same, as they were solved
   double residual = kUnset;                        ///< max |angle sum - target| [rad]
 };
 
 /// What rounding of the logarithms of lengths may do to the flat metric.
 struct ScaleRounding {
   double by_doubles = 0;      ///< [rad], to the angle sums: with a double's digits
-  double beyond_digits = 0;   ///< [rad], likewise with those that lengths have, twice as many
+  double beyond_digits = 0;   ///< [rad], likewise with those that lengths have, three times as many
   double longest_needle = 0;  ///< largest range of a face's sides' logarithms
 };
 

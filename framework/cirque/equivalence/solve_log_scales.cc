@@ -142,7 +142,7 @@ class LogScaleSolve {
         StatusCode::kUnrepresentable,
         fmt::format("log scales: they range over {:.1f}, and some triangle's sides over "
                     "{:.1f} in their logarithms; its angles lie in digits that lengths "
-                    "do not have, even with twice those of a double, which leaves angle "
+                    "do not have, even with three times those of a double, which leaves angle "
                     "sums {:.2e} rad from their targets; add cones",
                     u.maxCoeff() - u.minCoeff(), rounding_.longest_needle, result_.residual));
   }

@@ -38,7 +38,7 @@ enum class KeptEdges {
 /// The residual is that of a triangulation flipped anew at the solution. Errors: kNotConverged with
 /// a residual above 1e-10 rad, or above what rounding leaves of such lengths if that is more (1e-6 at
 /// most), or with an angle of 0 (beside edges that are kept); kUnrepresentable where it is what
-/// rounding of lengths with twice a double's digits leaves; kCancelled.
+/// rounding of lengths with three times a double's digits leaves; kCancelled.
 Status SolveLogScales(const Triangulation& triangulation, const EdgeLengths& lengths,
                       const ConeTargets& targets, KeptEdges kept, const SolverStrategy& strategy,
                       const SolveControl& control, LogScalesResult* result);

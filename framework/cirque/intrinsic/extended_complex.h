@@ -4,22 +4,29 @@
 
 #include "cirque/core/triangulation.h"
 #include "cirque/intrinsic/flip_complex.h"
-#include "cirque/math/double_double.h"
+#include "cirque/math/triple_double.h"
 
 namespace cirque {
 
-/// FlipComplex::Flip of h to a length with twice a double's digits, whose lower ones `low` has, of
-/// halfedges.
-void FlipExtended(Index h, const DoubleDouble& length, FlipComplex* complex,
-                  std::vector<double>* low);
+/// The lengths of halfedges in all their digits: what FlipComplex has, rounded to a double, is not these.
+struct LowerDigits {
+  double middle = 0, low = 0;
 
-/// A Euclidean metric whose lengths have twice a double's digits, while its edges are flipped. A vertex
+  TripleDouble Below(double high) const { return {high, middle, low}; }
+};
+
+/// FlipComplex::Flip of h to a length with three times a double's digits, whose lower ones `lower` has,
+/// of halfedges.
+void FlipExtended(Index h, const TripleDouble& length, FlipComplex* complex,
+                  std::vector<LowerDigits>* lower);
+
+/// A Euclidean metric whose lengths have three times a double's digits, while its edges are flipped. A vertex
 /// that lies h off the side opposite it, of length 1, is in the lengths' digits below h^2: doubles no
 /// longer have one that is 1e-8 away, nor a needle's that is 1e-16 wide.
 class ExtendedComplex {
  public:
   /// `lengths`: E.
-  ExtendedComplex(const Triangulation& triangulation, const std::vector<DoubleDouble>& lengths);
+  ExtendedComplex(const Triangulation& triangulation, const std::vector<TripleDouble>& lengths);
 
   Index twin(Index h) const { return complex_.twin(h); }
   const FlipComplex& complex() const { return complex_; }  ///< lengths rounded to doubles
@@ -32,12 +39,12 @@ class ExtendedComplex {
   bool Turn(Index h);
 
  private:
-  DoubleDouble Length(Index h) const;
+  TripleDouble Length(Index h) const;
   bool IsConvexAtTail(Index h) const;
-  DoubleDouble OtherDiagonal(Index h) const;
+  TripleDouble OtherDiagonal(Index h) const;
 
   FlipComplex complex_;
-  std::vector<double> low_;  ///< lower digits of lengths, of halfedges
+  std::vector<LowerDigits> lower_;  ///< of lengths, of halfedges
 };
 
 }  // namespace cirque

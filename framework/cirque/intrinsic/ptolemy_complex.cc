@@ -7,13 +7,12 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/core/parallel.h"
-#include "cirque/intrinsic/extended_complex.h"
 
 namespace cirque {
 namespace {
 
 constexpr std::int64_t kMaxFlipsPerHalfedge = 50;
-constexpr double kExtendedTolerance = 1e-26;  ///< of logarithms with twice a double's digits
+constexpr double kExtendedTolerance = 1e-41;  ///< of logarithms with three times a double's digits
 
 Index Next(Index h) { return Triangulation::Next(h); }
 Index Prev(Index h) { return Triangulation::Prev(h); }
@@ -29,28 +28,33 @@ bool IsNeedle(const LogTriangle& triangle) {
 }  // namespace
 
 PtolemyComplex::PtolemyComplex(const Triangulation& t, const Eigen::VectorXd& log_lengths,
-                               const std::vector<DoubleDouble>& scaled_by)
-    : complex_(t, EdgeLengths{log_lengths}), low_(t.num_halfedges(), 0) {
+                               const std::vector<TripleDouble>& scaled_by)
+    : complex_(t, EdgeLengths{log_lengths}), lower_(t.num_halfedges()) {
   if (scaled_by.empty()) return;
-  std::vector<DoubleDouble> length(t.num_edges());
+  std::vector<TripleDouble> length(t.num_edges());
   EdgeLengths high{log_lengths};
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index h = t.edge_halfedge[e];
-    const DoubleDouble scale = Half(scaled_by[t.Tail(h)] + scaled_by[t.Tip(h)]);
-    length[e] = DoubleDouble(log_lengths[e]) + scale;
+    const TripleDouble scale = Half(scaled_by[t.Tail(h)] + scaled_by[t.Tip(h)]);
+    length[e] = TripleDouble(log_lengths[e]) + scale;
     high.value[e] = length[e].high;
   }
   complex_ = FlipComplex(t, high);
-  for (Index h = 0; h < t.num_halfedges(); ++h) low_[h] = length[t.edge[h]].low;
+  for (Index h = 0; h < t.num_halfedges(); ++h) {
+    const TripleDouble& of = length[t.edge[h]];
+    lower_[h] = {of.middle, of.low};
+  }
 }
 
-DoubleDouble PtolemyComplex::LogLength(Index h) const { return {complex_.length(h), low_[h]}; }
+TripleDouble PtolemyComplex::LogLength(Index h) const {
+  return lower_[h].Below(complex_.length(h));
+}
 
 double PtolemyComplex::ScaledLogLength(Index h, const Eigen::VectorXd& scale) const {
   return complex_.length(h) + 0.5 * (scale[vertex(Next(h))] + scale[vertex(Prev(h))]);
 }
 
-DoubleDouble PtolemyComplex::ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const {
+TripleDouble PtolemyComplex::ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const {
   return LogLength(h) + Half(SumOf(scale[vertex(Next(h))], scale[vertex(Prev(h))]));
 }
 
@@ -58,8 +62,8 @@ LogTriangle PtolemyComplex::ScaledTriangle(Index face, const Eigen::VectorXd& sc
   // The scale of one corner more or less changes no angle: a constant is taken off all three.
   const Index h = 3 * face;
   const double u0 = scale[vertex(h)];
-  const DoubleDouble first = Half(SumOf(scale[vertex(h + 1)], -u0));
-  const DoubleDouble second = Half(SumOf(scale[vertex(h + 2)], -u0));
+  const TripleDouble first = Half(SumOf(scale[vertex(h + 1)], -u0));
+  const TripleDouble second = Half(SumOf(scale[vertex(h + 2)], -u0));
   return SolveExtendedLogTriangle(
       {LogLength(h) + (first + second), LogLength(h + 1) + second, LogLength(h + 2) + first});
 }
@@ -67,16 +71,16 @@ LogTriangle PtolemyComplex::ScaledTriangle(Index face, const Eigen::VectorXd& sc
 bool PtolemyComplex::ViolatesByCosines(Index h, const Eigen::VectorXd& scale) const {
   // 2 cos = b / c + c / b - a^2 / (b c): what is added is compared with what is taken off. Needles have
   // cosines that differ from 1 by less than a double shows.
-  std::array<DoubleDouble, 2> above{}, below{};
+  std::array<TripleDouble, 2> above{}, below{};
   const Index sides[] = {h, complex_.twin(h)};
   for (int k = 0; k < 2; ++k) {
-    const DoubleDouble a = ExtendedLogLength(sides[k], scale);
-    const DoubleDouble b = ExtendedLogLength(Next(sides[k]), scale);
-    const DoubleDouble c = ExtendedLogLength(Prev(sides[k]), scale);
+    const TripleDouble a = ExtendedLogLength(sides[k], scale);
+    const TripleDouble b = ExtendedLogLength(Next(sides[k]), scale);
+    const TripleDouble c = ExtendedLogLength(Prev(sides[k]), scale);
     above[k] = LogAddExp(b - c, c - b);
     below[k] = (a - b) + (a - c);
   }
-  const DoubleDouble excess = LogAddExp(below[0], below[1]) - LogAddExp(above[0], above[1]);
+  const TripleDouble excess = LogAddExp(below[0], below[1]) - LogAddExp(above[0], above[1]);
   return excess.high > kExtendedTolerance;
 }
 
@@ -98,10 +102,10 @@ bool PtolemyComplex::ViolatesDelaunay(Index h, const Eigen::VectorXd& scale) con
 
 void PtolemyComplex::Flip(Index h) {
   const Index g = complex_.twin(h);
-  const DoubleDouble one = LogLength(Next(h)) + LogLength(Next(g));
-  const DoubleDouble other = LogLength(Prev(h)) + LogLength(Prev(g));
-  const DoubleDouble length = LogAddExp(one, other) - LogLength(h);
-  FlipExtended(h, length, &complex_, &low_);
+  const TripleDouble one = LogLength(Next(h)) + LogLength(Next(g));
+  const TripleDouble other = LogLength(Prev(h)) + LogLength(Prev(g));
+  const TripleDouble length = LogAddExp(one, other) - LogLength(h);
+  FlipExtended(h, length, &complex_, &lower_);
   flips_.push_back(h);
 }
 
@@ -144,8 +148,8 @@ Eigen::VectorXd PtolemyComplex::MakeLogLengths(const Triangulation& t) const {
   return complex_.MakeLengths(t).value;
 }
 
-std::vector<DoubleDouble> PtolemyComplex::MakeExtendedLogLengths(const Triangulation& t) const {
-  std::vector<DoubleDouble> lengths;
+std::vector<TripleDouble> PtolemyComplex::MakeExtendedLogLengths(const Triangulation& t) const {
+  std::vector<TripleDouble> lengths;
   for (const Index h : t.edge_halfedge) lengths.push_back(LogLength(h));
   return lengths;
 }

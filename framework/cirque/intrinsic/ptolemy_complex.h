@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "cirque/core/triangulation.h"
+#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/math/log_triangle.h"
 
@@ -20,13 +21,13 @@ namespace cirque {
 /// circle. (A. Bobenko, U. Pinkall, B. Springborn, "Discrete conformal maps and ideal hyperbolic
 /// polyhedra", Geom. Topol. 19, 2015; B. Springborn, "Ideal hyperbolic polyhedra and discrete
 /// uniformization", Discrete Comput. Geom. 64, 2020.) Lengths are logarithms throughout, since
-/// those of one surface can differ by hundreds of orders of magnitude, and have twice the digits of a
+/// those of one surface can differ by hundreds of orders of magnitude, and have three times the digits of a
 /// double: the angles of a needle with sides 1, 1 and e are in the logarithms' digits below e.
 class PtolemyComplex {
  public:
   /// `log_lengths`: E. `scaled_by`: V, scales that the lengths are multiplied with at once; empty: 0.
   PtolemyComplex(const Triangulation& triangulation, const Eigen::VectorXd& log_lengths,
-                 const std::vector<DoubleDouble>& scaled_by = {});
+                 const std::vector<TripleDouble>& scaled_by = {});
 
   Index num_faces() const { return complex_.num_halfedges() / 3; }
   Index num_halfedges() const { return complex_.num_halfedges(); }
@@ -62,17 +63,17 @@ class PtolemyComplex {
   /// The complex as it stands, edges numbered afresh, and the logarithms of its edges.
   Triangulation MakeTriangulation(Index num_vertices) const;
   Eigen::VectorXd MakeLogLengths(const Triangulation& triangulation) const;
-  std::vector<DoubleDouble> MakeExtendedLogLengths(const Triangulation& triangulation) const;
+  std::vector<TripleDouble> MakeExtendedLogLengths(const Triangulation& triangulation) const;
 
  private:
-  DoubleDouble LogLength(Index h) const;
-  DoubleDouble ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const;
+  TripleDouble LogLength(Index h) const;
+  TripleDouble ExtendedLogLength(Index h, const Eigen::VectorXd& scale) const;
   bool Violates(Index h, const LogTriangle& left, const LogTriangle& right,
                 const Eigen::VectorXd& scale) const;
   bool ViolatesByCosines(Index h, const Eigen::VectorXd& scale) const;
 
-  FlipComplex complex_;      ///< its lengths are logarithms
-  std::vector<double> low_;  ///< their lower digits, of halfedges
+  FlipComplex complex_;             ///< its lengths are logarithms
+  std::vector<LowerDigits> lower_;  ///< of them, of halfedges
   std::vector<Index> flips_;
 };
 

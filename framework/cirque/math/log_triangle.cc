@@ -34,11 +34,11 @@ Difference RelativeDifferenceOf(double a_over_b, double b_over_c) {
   return {t, 1 - t};
 }
 
-/// Next to 1 in twice the digits: 1 - t is as the square of the angles at the longest side.
-Difference RelativeDifferenceOf(const DoubleDouble& a_over_b, const DoubleDouble& b_over_c) {
+/// Next to 1 in three times the digits: 1 - t is as the square of the angles at the longest side.
+Difference RelativeDifferenceOf(const TripleDouble& a_over_b, const TripleDouble& b_over_c) {
   const double t = RelativeDifference(a_over_b.Value(), b_over_c.Value());
   if (!(std::abs(1 - t) < kNextToOne) || !(b_over_c.high < kLargestExponent)) return {t, 1 - t};
-  return {t, (DoubleDouble(1) - Expm1(a_over_b) * Exp(b_over_c)).Value()};
+  return {t, (TripleDouble(1) - Expm1(a_over_b) * Exp(b_over_c)).Value()};
 }
 
 /// As the header says, of sides a >= b >= c by the differences of their logarithms.
@@ -63,7 +63,7 @@ LogTriangle SolveSorted(int a, int b, int c, double a_over_b, double b_over_c,
 }
 
 double Rounded(double x) { return x; }
-double Rounded(const DoubleDouble& x) { return x.Value(); }
+double Rounded(const TripleDouble& x) { return x.Value(); }
 
 template <class Number>
 LogTriangle Solve(const std::array<Number, 3>& x) {
@@ -86,7 +86,7 @@ double LogTriangle::Cotangent(int k) const {
 
 LogTriangle SolveLogTriangle(const std::array<double, 3>& x) { return Solve(x); }
 
-LogTriangle SolveExtendedLogTriangle(const std::array<DoubleDouble, 3>& x) { return Solve(x); }
+LogTriangle SolveExtendedLogTriangle(const std::array<TripleDouble, 3>& x) { return Solve(x); }
 
 double LogAddExp(double x, double y) {
   const double larger = std::max(x, y);

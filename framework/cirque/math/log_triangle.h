@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cirque/math/double_double.h"
+#include "cirque/math/triple_double.h"
 
 namespace cirque {
 
@@ -28,8 +28,8 @@ struct LogTriangle {
 LogTriangle SolveLogTriangle(const std::array<double, 3>& log_side);
 
 /// The same of needles whose long sides differ by less than an ulp of their logarithms, and of triangles
-/// whose longest side is all but the sum of the others: 1 - t has twice the digits there.
-LogTriangle SolveExtendedLogTriangle(const std::array<DoubleDouble, 3>& log_side);
+/// whose longest side is all but the sum of the others: 1 - t has three times the digits there.
+LogTriangle SolveExtendedLogTriangle(const std::array<TripleDouble, 3>& log_side);
 
 /// log(e^x + e^y).
 double LogAddExp(double x, double y);
