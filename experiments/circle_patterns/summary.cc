@@ -37,13 +37,19 @@ std::string ExactLine(const Certificate& c) {
   const std::string instead =
       flipped ? "exact       instead of that at the mesh's vertices, which has flipped triangles\n"
               : "";
-  return instead + fmt::format(
-                       "exact       quasi-conformal {:.5f} mean {:.4g} max, {:.2f} faces for one "
-                       "of the input, {} "
-                       "at most\n",
-                       c.exact_map->exact_quasi_conformal_mean,
-                       c.exact_map->exact_quasi_conformal_max, c.exact_map->exact_faces_ratio,
-                       c.exact_map->exact_faces_worst);
+  const std::string origins =
+      c.exact_map->exact_origins
+          ? fmt::format("exact       in {}, each about an origin of its own, one upon the other\n",
+                        Count(*c.exact_map->exact_origins, "rigid piece"))
+          : "";
+  return instead +
+         fmt::format(
+             "exact       quasi-conformal {:.5f} mean {:.4g} max, {:.2f} faces for one of the "
+             "input, "
+             "{} at most\n",
+             c.exact_map->exact_quasi_conformal_mean, c.exact_map->exact_quasi_conformal_max,
+             c.exact_map->exact_faces_ratio, c.exact_map->exact_faces_worst) +
+         origins;
 }
 
 std::string SolveLines(const Certificate& c) {

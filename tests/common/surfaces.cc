@@ -156,6 +156,37 @@ PolygonSoup Together(const std::vector<PolygonSoup>& parts) {
   return all;
 }
 
+Surface TwoLimbs(int rings) {
+  constexpr int kSides = 12;
+  PolygonSoup soup;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int i = 0; i < kSides; ++i) {
+      soup.position.emplace_back(std::cos(2 * kPi * i / kSides), std::sin(2 * kPi * i / kSides),
+                                 0.5 * ring);
+    }
+  }
+  const Index bottom = rings * kSides, top = bottom + 1;
+  soup.position.emplace_back(0, 0, -0.5);
+  soup.position.emplace_back(0, 0, 0.5 * rings);
+  const auto add = [&](Index a, Index b, Index c) {
+    soup.corner.insert(soup.corner.end(), {a, b, c});
+    soup.first_corner.push_back(static_cast<Index>(soup.corner.size()));
+  };
+  for (int ring = 0; ring + 1 < rings; ++ring) {
+    for (int i = 0; i < kSides; ++i) {
+      const Index a = ring * kSides + i, b = ring * kSides + (i + 1) % kSides;
+      if (ring != rings / 2 || i != 0) add(a, b, a + kSides);
+      add(b, b + kSides, a + kSides);
+    }
+  }
+  for (int i = 0; i < kSides; ++i) {
+    const Index last = (rings - 1) * kSides, j = (i + 1) % kSides;
+    add(j, i, bottom);
+    add(last + i, last + j, top);
+  }
+  return SurfaceOf(soup);
+}
+
 PolygonSoup UncleanMesh() {
   const PolygonSoup terrain = *GenerateMesh("bumpy_terrain", {100, 1});
   PolygonSoup mesh = Together({terrain, *GenerateMesh("sphere", {200, 1})});

@@ -48,6 +48,10 @@ Surface RegularPolyhedron(int num_faces);
 /// simplicial complex.
 Triangulation WithFoldedFace(const Triangulation& triangulation, Index h);
 
+/// A tube of radius 1, closed at both ends, but for one triangle in its middle: two limbs, each seen
+/// from a small hole.
+Surface TwoLimbs(int rings);
+
 /// The surface with its points moved.
 template <class Map>
 Surface Moved(Surface surface, const Map& map) {

@@ -215,6 +215,10 @@ Status PutInPlace(const Surface& surface, const std::vector<Index>& corners, Sha
   map->certificate.polygon = std::move(summary);
   Status status = Deliver(t, place, map);
   if (!status.ok() || !map->exact_map) return status;
+  if (map->certificate.exact_map->exact_origins) {
+    return Status(StatusCode::kUnrepresentable,
+                  "doubles hold the exact map about several origins only, and a polygon has one");
+  }
   return PutExactInPlace(t, corners, shape, &*map->exact_map);
 }
 

@@ -176,6 +176,21 @@ std::string MissedLattice(const Certificate& certificate) {
          certificate.integers->integer_obstacle;
 }
 
+/// What edges and seams of the map that is the result miss, relative.
+struct LayoutMisses {
+  double closure, lengths;
+};
+
+LayoutMisses Misses(const Certificate& of) {
+  const bool exact_alone = of.exact_map && of.layout && of.layout->flipped_triangles > 0;
+  if (exact_alone) {
+    return {of.exact_map->exact_layout_closure, of.exact_map->exact_seam_length_mismatch};
+  }
+  const bool has_layout = of.layout && !ForgetsLayout(of);
+  return {has_layout ? of.layout->layout_closure : 0,
+          of.seams ? of.seams->seam_length_mismatch : 0};
+}
+
 }  // namespace
 
 std::string Inaccuracy(const Certificate& certificate) {
@@ -185,9 +200,7 @@ std::string Inaccuracy(const Certificate& certificate) {
   if (certificate.loops) {
     if (std::string missed = MissedLoop(*certificate.loops); !missed.empty()) return missed;
   }
-  const bool has_layout = certificate.layout && !ForgetsLayout(certificate);
-  const double closure = has_layout ? certificate.layout->layout_closure : 0;
-  const double lengths = certificate.seams ? certificate.seams->seam_length_mismatch : 0;
+  const auto [closure, lengths] = Misses(certificate);
   if (!(closure > kAccuracy || lengths > kAccuracy)) return "";
   return fmt::format(
       "the map has no flipped triangle but is not accurate to {:.0e}: its edges close to {:.1e} of "

@@ -85,10 +85,10 @@ inline void AddSeconds(const Timer& timer, std::optional<double>* seconds) {
   *seconds = seconds->value_or(0) + timer.Seconds();
 }
 
-/// The outcome of a map without flips that doubles do not hold to kAccuracy: laid out edges that
-/// miss their lengths or directions by more, or seams with two sides of different length. It is
-/// written, and is not ok. A map to the sphere, disk, half-plane or a polygon that a refinement of
-/// the whole brought to rest does not depend on its layout any more.
+/// The outcome of a map without flips that doubles do not hold to kAccuracy: laid out edges that miss
+/// lengths or directions by more, or seams with sides of different length. It is written, not ok. A
+/// map to the sphere, disk, half-plane or a polygon that a refinement of the whole brought to rest no
+/// longer depends on its layout; beside an exact map one with flipped triangles is not the result.
 inline constexpr char kInaccurate[] = "inaccurate";
 inline constexpr double kAccuracy = 1e-8;
 /// [rad]: rotations that miss the multiples asked for (ParameterizeOptions::holonomy) by more make a map

@@ -84,7 +84,8 @@ Status Unrepresentable(const Collapsed& layout) {
       StatusCode::kUnrepresentable,
       fmt::format("the flat metric exists but doubles cannot hold it in one chart: the logarithms "
                   "of its lengths range over {:.1f} and {} would collapse, faces {} (0-based) "
-                  "among them{}; add cones there",
+                  "among them{}; add cones there, or ask for the exact map (exact), which may lie "
+                  "about several origins",
                   Range(layout.flat.lengths.value.array().log()),
                   Count(layout.flipped.size(), "face"), IdList(layout.flipped, 5),
                   NarrowestForDoubles(layout)));

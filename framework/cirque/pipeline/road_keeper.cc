@@ -6,10 +6,17 @@
 
 namespace cirque {
 
+std::string Shortcoming(const Certificate& certificate) {
+  std::string missed = Inaccuracy(certificate);
+  const bool about_several = certificate.exact_map && certificate.exact_map->exact_origins;
+  if (missed.empty() && about_several) missed = "doubles do not hold the map about one origin";
+  return missed;
+}
+
 RoadEnd EndOfRoad(const Status& status, const Certificate& certificate) {
   switch (status.code()) {
     case StatusCode::kOk:
-      return Inaccuracy(certificate).empty() ? RoadEnd::kMap : RoadEnd::kImprecise;
+      return Shortcoming(certificate).empty() ? RoadEnd::kMap : RoadEnd::kImprecise;
     case StatusCode::kInfeasible:
       return RoadEnd::kInfeasible;
     case StatusCode::kUnrepresentable:
@@ -24,7 +31,7 @@ RoadEnd EndOfRoad(const Status& status, const Certificate& certificate) {
 const char* WhyAnotherRoad(RoadEnd end) {
   switch (end) {
     case RoadEnd::kImprecise:
-      return "doubles could not hold the map accurately";
+      return "doubles could not hold the map accurately about one origin";
     case RoadEnd::kInfeasible:
       return "no coherent angles exist without";
     case RoadEnd::kUnrepresentable:

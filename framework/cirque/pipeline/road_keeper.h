@@ -14,12 +14,16 @@ namespace cirque {
 /// How a road ended, as far as the ladder tells ends apart.
 enum class RoadEnd {
   kMap,
-  kImprecise,  ///< a map that misses kAccuracy
+  kImprecise,  ///< a map with a Shortcoming
   kInfeasible,
   kUnrepresentable,
   kNotConverged,
   kStopped  ///< cancelled, bad input, a failing machine: nothing else is tried
 };
+
+/// What speaks for another road than one that led to a map: what misses kAccuracy, or that the exact map
+/// lies about several origins; empty: nothing.
+std::string Shortcoming(const Certificate& certificate);
 
 /// How a road ended that came back with this status and certificate.
 RoadEnd EndOfRoad(const Status& status, const Certificate& certificate);
@@ -42,9 +46,10 @@ class RoadKeeper {
   void Note(const char* name, double seconds, Taken* taken) {
     const Certificate& certificate = taken->map.certificate;
     taken->end = EndOfRoad(taken->status, certificate);
-    const bool inaccurate = taken->end == RoadEnd::kImprecise;
+    const bool imprecise = taken->end == RoadEnd::kImprecise;
+    const bool inaccurate = imprecise && !Inaccuracy(certificate).empty();
     ladder_.tried.push_back({name, inaccurate ? kInaccurate : ToString(taken->status.code()),
-                             inaccurate ? Inaccuracy(certificate) : taken->status.message(),
+                             imprecise ? Shortcoming(certificate) : taken->status.message(),
                              seconds});
   }
 
