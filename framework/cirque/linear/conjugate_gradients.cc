@@ -18,17 +18,6 @@ bool MayFinish(double start, double now, double target, int iterations, int max_
   return done * max_iterations >= needed * iterations;
 }
 
-double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  const int n = static_cast<int>(a.size());
-  Eigen::VectorXd of_block(NumBlocks(n));
-  ForEachBlock(n, [&](int block, int begin, int end) {
-    of_block[block] = a.segment(begin, end - begin).dot(b.segment(begin, end - begin));
-  });
-  return of_block.sum();
-}
-
-double Norm(const Eigen::VectorXd& a) { return std::sqrt(Dot(a, a)); }
-
 /// y = x_factor x + y_factor y; with y_factor 0 y is not read, and takes the size of x.
 void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::VectorXd* y) {
   if (y_factor == 0) y->resize(x.size());
@@ -44,23 +33,33 @@ void Combine(double x_factor, const Eigen::VectorXd& x, double y_factor, Eigen::
 
 }  // namespace
 
+double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const int n = static_cast<int>(a.size());
+  Eigen::VectorXd of_block(NumBlocks(n));
+  ForEachBlock(n, [&](int block, int begin, int end) {
+    of_block[block] = a.segment(begin, end - begin).dot(b.segment(begin, end - begin));
+  });
+  return of_block.sum();
+}
+
 CgResult ConjugateGradients(const LinearOperator& apply, const Eigen::VectorXd& right_side,
                             const Preconditioner& precondition, double tolerance,
-                            int max_iterations, Eigen::VectorXd* x) {
+                            int max_iterations, Eigen::VectorXd* x, const InnerProduct& dot) {
+  const auto norm = [&](const Eigen::VectorXd& a) { return std::sqrt(dot(a, a)); };
   CgResult result;
   Eigen::VectorXd residual, direction, image, z;
   Combine(1, right_side, 0, &residual);
-  const double start = Norm(residual), target = tolerance * start;
+  const double start = norm(residual), target = tolerance * start;
   double now = start, last_rho = 1, last_step = 0;
   while (!(result.converged = now <= target) &&
          MayFinish(start, now, target, result.iterations, max_iterations)) {
     precondition(residual, &z);
-    const double rho = Dot(residual, z);
+    const double rho = dot(residual, z);
     // Residuals differ by the step's share of the image.
     const bool first = result.iterations == 0;
-    Combine(1, z, first ? 0 : -last_step * Dot(image, z) / last_rho, &direction);
+    Combine(1, z, first ? 0 : -last_step * dot(image, z) / last_rho, &direction);
     apply(direction, &image);
-    const double curvature = Dot(direction, image);
+    const double curvature = dot(direction, image);
     if (!(curvature > 0)) {
       result.positive = false;
       break;
@@ -69,7 +68,7 @@ CgResult ConjugateGradients(const LinearOperator& apply, const Eigen::VectorXd& 
     last_step = rho / curvature;
     Combine(last_step, direction, first ? 0 : 1, x);
     Combine(-last_step, image, 1, &residual);
-    now = Norm(residual);
+    now = norm(residual);
     ++result.iterations;
   }
   if (result.iterations == 0) x->setZero(right_side.size());

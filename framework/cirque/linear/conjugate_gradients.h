@@ -14,6 +14,12 @@ using Preconditioner = std::function<void(const Eigen::VectorXd& b, Eigen::Vecto
 /// y = A x, in the memory that y has. x is not y.
 using LinearOperator = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd* y)>;
 
+/// a.b, of vectors of which this process may have a part only.
+using InnerProduct = std::function<double(const Eigen::VectorXd& a, const Eigen::VectorXd& b)>;
+
+/// That of whole vectors, the same whatever the number of threads.
+double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 /// What a run of conjugate gradients achieved.
 struct CgResult {
   int iterations = 0;
@@ -30,9 +36,10 @@ CgResult ConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& ri
                             const Preconditioner& precondition, double tolerance,
                             int max_iterations, Eigen::VectorXd* x);
 
-/// The same for a symmetric operator that is known by what it does.
+/// The same for a symmetric operator that is known by what it does; on several processes at once
+/// with the inner product of all their parts.
 CgResult ConjugateGradients(const LinearOperator& apply, const Eigen::VectorXd& right_side,
                             const Preconditioner& precondition, double tolerance,
-                            int max_iterations, Eigen::VectorXd* x);
+                            int max_iterations, Eigen::VectorXd* x, const InnerProduct& dot = Dot);
 
 }  // namespace cirque

@@ -145,31 +145,41 @@ void PatchSmoother::ForEachPiece(const std::function<void(int, int)>& body) cons
   });
 }
 
-void PatchSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
-                          Eigen::VectorXd* x) {
-  if (rows_.empty()) return solve(b, x);
-  if (near_.size() != b.size()) near_.setZero(b.size());
+void PatchSmoother::SweepForward(const Eigen::VectorXd& b, Eigen::VectorXd* swept,
+                                 Eigen::VectorXd* left) const {
   ForEachPiece([&](int begin, int end) {
-    for (int k = begin; k < end; ++k) near_[rows_[k]] = 0;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      for (int k = begin; k < end; ++k) Relax(k, b, &near_);
+      for (int k = begin; k < end; ++k) Relax(k, b, swept);
     }
   });
-  left_.resize(b.size());
-  ParallelFor(static_cast<int>(b.size()), [&](int j) { left_[j] = b[j]; });
   for (int k = 0; k < num_rows(); ++k) {
-    left_[rows_[k]] -= diagonal_[k] * near_[rows_[k]];
+    const double x = (*swept)[rows_[k]];
+    (*left)[rows_[k]] -= diagonal_[k] * x;
     for (int p = first_[k]; p < first_[k + 1]; ++p) {
-      left_[entries_[p].column] -= entries_[p].value * near_[rows_[k]];
+      (*left)[entries_[p].column] -= entries_[p].value * x;
     }
   }
-  solve(left_, x);
+}
+
+void PatchSmoother::SweepBackward(const Eigen::VectorXd& b, Eigen::VectorXd* x) const {
   ForEachPiece([&](int begin, int end) {
-    for (int k = begin; k < end; ++k) (*x)[rows_[k]] += near_[rows_[k]];
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (int k = end; k-- > begin;) Relax(k, b, x);
     }
   });
+}
+
+void PatchSmoother::Apply(const Eigen::VectorXd& b, const Preconditioner& solve,
+                          Eigen::VectorXd* x) {
+  if (rows_.empty()) return solve(b, x);
+  if (near_.size() != b.size()) near_.setZero(b.size());
+  for (const int row : rows_) near_[row] = 0;
+  left_.resize(b.size());
+  ParallelFor(static_cast<int>(b.size()), [&](int j) { left_[j] = b[j]; });
+  SweepForward(b, &near_, &left_);
+  solve(left_, x);
+  for (const int row : rows_) (*x)[row] += near_[row];
+  SweepBackward(b, x);
 }
 
 Preconditioner PatchSmoother::Around(Preconditioner solve) {

@@ -24,6 +24,11 @@ class PatchSmoother {
   /// x approximates A^-1 b, symmetric and positive definite when `solve`, the factor's, is.
   void Apply(const Eigen::VectorXd& b, const Preconditioner& solve, Eigen::VectorXd* x);
 
+  /// The two halves of Apply, for a solve between them by others: from *swept = 0 and *left = b,
+  /// what the sweeps give and what they leave; then the sweeps back from x = swept + the solve's.
+  void SweepForward(const Eigen::VectorXd& b, Eigen::VectorXd* swept, Eigen::VectorXd* left) const;
+  void SweepBackward(const Eigen::VectorXd& b, Eigen::VectorXd* x) const;
+
   /// Apply() with that solve, as long as this lives.
   Preconditioner Around(Preconditioner solve);
 
