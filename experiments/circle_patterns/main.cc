@@ -31,7 +31,7 @@ Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostre
 }
 
 int Main(int argc, char** argv) {
-  const StatusOr<bool> served = ServeOtherRanks();
+  const StatusOr<bool> served = ServeOtherRanks({});
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;
   CirclePatternsFlags flags;

@@ -1,14 +1,12 @@
 #include "cirque/linear/amg_system_solver.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/linear/conjugate_gradients.h"
+#include "cirque/linear/lagged_hierarchy.h"
 #include "cirque/linear/patch_smoother.h"
 #include "cirque/linear/registry.h"
 #include "cirque/linear/sparse_matrix.h"
@@ -18,9 +16,6 @@ namespace {
 
 constexpr int kFactorIterations = 6;
 constexpr int kMostFailures = 2;
-/// A hierarchy costs about as much as this many iterations on it.
-constexpr double kSetUpIterations = 10;
-constexpr double kInnerTolerance = 0.1;  ///< of the solves inside conjugate gradients
 
 }  // namespace
 
@@ -42,18 +37,14 @@ class AmgSystemSolver::Reduced final : public SparseCholesky {
   const std::string& error() const { return error_; }  ///< of the library; empty: none
 
   void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
-    x->setZero(b.size());
-    const bool reused = has_hierarchy_;
-    const int most = reused ? IterationsWorthTrying(b.norm()) : options_.max_cg_iterations;
-    if (!reused && !SetUp()) return;
-    if (!Iterate(b, most, x) || converged_ || !reused) return;
-    if (SetUp()) Iterate(b, options_.max_cg_iterations, x);
+    converged_ = hierarchy_->Solve(b, b.norm(), target_, x, summary_);
+    if (!converged_) error_ = system_->error();
   }
 
  protected:
   /// Another pattern leaves other unknowns.
   bool Analyze(const SparseMatrix&) override {
-    has_hierarchy_ = false;
+    if (hierarchy_) hierarchy_->Forget();
     return Load();
   }
 
@@ -63,7 +54,8 @@ class AmgSystemSolver::Reduced final : public SparseCholesky {
     const bool taken = system_->SetMatrix({static_cast<int>(lower.cols()), lower.outerIndexPtr(),
                                            lower.innerIndexPtr(), lower.valuePtr()});
     summary_->factorization_seconds += timer.Seconds();
-    return taken || Fail();
+    if (!taken) error_ = system_->error();
+    return taken;
   }
 
  private:
@@ -74,56 +66,23 @@ class AmgSystemSolver::Reduced final : public SparseCholesky {
       error_ = library.status().message();
       return false;
     }
-    method_ = options_.multigrid.empty() ? (*library)->Methods().front() : options_.multigrid;
     system_ = (*library)->MakeSystem();
+    hierarchy_.emplace(system_.get(), MethodOf(options_, **library), options_.max_cg_iterations);
     return true;
   }
 
-  bool Fail() {
-    error_ = system_->error();
-    return false;
-  }
-
-  bool SetUp() {
-    const Timer timer;
-    has_hierarchy_ = system_->SetUp(method_);
-    digits_per_iteration_ = 0;
-    ++summary_->factorizations;
-    summary_->factorization_seconds += timer.Seconds();
-    return has_hierarchy_ || Fail();
-  }
-
-  /// On a hierarchy that was made for another matrix.
-  int IterationsWorthTrying(double start) const {
-    const double digits = std::log10(start / target_);
-    const double expected = digits > 0 ? digits / digits_per_iteration_ : 0;
-    return static_cast<int>(
-        std::min<double>(options_.max_cg_iterations, expected + kSetUpIterations));
-  }
-
-  bool Iterate(const Eigen::VectorXd& right_side, int most, Eigen::VectorXd* x) {
-    const Timer timer;
-    MultigridResult result;
-    const bool done = system_->Solve(right_side.data(), target_, most, x->data(), &result);
-    summary_->cg_iterations += result.iterations;
-    summary_->linear_solves += result.iterations + 1;
-    summary_->solve_seconds += timer.Seconds();
-    converged_ = done && result.converged;
-    if (converged_ && digits_per_iteration_ == 0) {
-      const double digits = std::log10(right_side.norm() / target_);
-      digits_per_iteration_ = std::max(digits, 1.0) / std::max(result.iterations, 1);
-    }
-    return done || Fail();
-  }
-
   const AmgOptions options_;
-  std::string method_, error_;
-  std::unique_ptr<MultigridSystem> system_;
+  std::string error_;
+  std::unique_ptr<WholeSystem> system_;
+  std::optional<LaggedHierarchy> hierarchy_;
   SolveSummary* summary_ = nullptr;
   double target_ = 0;
-  double digits_per_iteration_ = 0;  ///< on the hierarchy's own matrix; 0: not known yet
-  bool has_hierarchy_ = false, converged_ = false;
+  bool converged_ = false;
 };
+
+std::string MethodOf(const AmgOptions& options, const MultigridLibrary& library) {
+  return options.multigrid.empty() ? library.Methods().front() : options.multigrid;
+}
 
 AmgSystemSolver::AmgSystemSolver(const AmgOptions& options)
     : reduced_(new Reduced(options)),
@@ -173,7 +132,7 @@ bool AmgSystemSolver::SolveNear(const SparseMatrix& lower, const Eigen::VectorXd
   PatchSmoother smoother(lower, near_diagonal_);
   bool cycled = true;
   const auto solve = [&](const Eigen::VectorXd& b, Eigen::VectorXd* of_b) {
-    reduced_->Prepare(kInnerTolerance * b.norm(), summary);
+    reduced_->Prepare(kInnerMultigridTolerance * b.norm(), summary);
     elimination_->Solve(b, of_b);
     cycled = cycled && reduced_->converged();
   };

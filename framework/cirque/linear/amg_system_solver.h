@@ -13,6 +13,12 @@ struct AmgOptions {
   int max_cg_iterations = 100;  ///< a system, on its own hierarchy, before it is factored
 };
 
+/// The method that they mean.
+std::string MethodOf(const AmgOptions& options, const MultigridLibrary& library);
+
+/// Relative residual of the solves by multigrid inside conjugate gradients.
+inline constexpr double kInnerMultigridTolerance = 0.1;
+
 /// Solves by conjugate gradients, preconditioned with algebraic multigrid on what the elimination
 /// of diagonal unknowns leaves (MakeEliminatingCholesky): the dual graph's Laplacian of half the
 /// faces in the radii, little more than the vertices' graph Laplacian in an angle fit. In memory

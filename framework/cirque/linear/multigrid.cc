@@ -78,12 +78,19 @@ Status MultigridNotBuilt() {
 
 StatusOr<MultigridLibrary*> LoadMultigrid() { return Library(false); }
 
-StatusOr<bool> ServeOtherRanks() {
+MultigridLibrary* RanksAtService() {
+  if (LaunchedRanks() <= 1) return nullptr;
+  const auto& library = Library(false);
+  return library.ok() && (*library)->num_ranks() > 1 ? *library : nullptr;
+}
+
+StatusOr<bool> ServeOtherRanks(const RankWorks& works) {
   if (LaunchedRanks() <= 1) return false;
   const auto& library = Library(true);
   if (!library.ok()) {
     return library.status().In(fmt::format("started in {} processes", LaunchedRanks()));
   }
+  (*library)->SetWorks(works);
   if ((*library)->is_first_rank()) return false;
   (*library)->Serve();
   return true;

@@ -1,5 +1,4 @@
-// What Cirque loads where it was built with PETSc: see solver/multigrid.h.
-#include <algorithm>
+// What Cirque loads where it was built with PETSc: see linear/multigrid.h.
 #include <atomic>
 
 #include "cirque/linear/petsc/rank_team.h"
@@ -7,7 +6,7 @@
 namespace cirque {
 namespace {
 
-class PetscSystem final : public MultigridSystem {
+class PetscSystem final : public WholeSystem {
  public:
   PetscSystem(int number, RankTeam* team) : number_(number), team_(*team) {}
 
@@ -19,14 +18,12 @@ class PetscSystem final : public MultigridSystem {
   }
 
   bool SetUp(const std::string& method) override {
-    const auto& methods = MultigridMethods();
-    const auto found = std::find(methods.begin(), methods.end(), method);
-    if (found == methods.end()) {
+    RankCommand command{RankCommand::kSetUp};
+    command.method = NumberOfMethod(method);
+    if (command.method < 0) {
       error_ = "this PETSc has no '" + method + "'";
       return false;
     }
-    RankCommand command{RankCommand::kSetUp};
-    command.method = static_cast<int>(found - methods.begin());
     return Run(command, {});
   }
 
@@ -58,20 +55,35 @@ class PetscLibrary final : public MultigridLibrary {
     if (session_.IsOwner() && is_first_rank()) team_.Stop();
   }
 
-  std::unique_ptr<MultigridSystem> MakeSystem() override {
+  std::unique_ptr<WholeSystem> MakeSystem() override {
     return std::make_unique<PetscSystem>(++num_systems_, &team_);
   }
 
   std::vector<std::string> Methods() const override { return MultigridMethods(); }
   int num_ranks() const override { return session_.num_ranks(); }
   void Serve() override { team_.Serve(); }
+  void SetWorks(const RankWorks& works) override { team_.SetWorks(works); }
+  RankWork* Begin(const std::string& work, int* number) override {
+    *number = ++num_systems_;
+    return team_.Begin(work, *number);
+  }
+  void Do(int number, int task) override { RunTask(RankCommand::kDo, number, task); }
+  void End(int number) override { RunTask(RankCommand::kEnd, number, 0); }
   bool is_first_rank() const override { return session_.rank() == 0; }
   const std::string& error() const { return session_.error(); }
 
  private:
+  /// An error ends all ranks.
+  void RunTask(RankCommand::Operation operation, int number, int task) {
+    RankCommand command{operation, number};
+    command.task = task;
+    std::string none;
+    team_.Run(command, {}, &none);
+  }
+
   PetscSession session_;
   RankTeam team_;
-  std::atomic<int> num_systems_ = 0;
+  std::atomic<int> num_systems_ = 0;  ///< and works
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "cirque/linear/petsc/rank_system.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #ifdef __GLIBC__
@@ -13,14 +14,6 @@ static_assert(std::is_same_v<PetscInt, int> && std::is_same_v<PetscScalar, doubl
 
 constexpr char kPrefix[] = "cirque_";
 constexpr char kBoomerAmg[] = "boomeramg";
-
-/// A hierarchy is made of many small blocks, whose memory the heap keeps when they are freed and
-/// large blocks cannot use.
-void ReturnFreedMemory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
 
 /// Sets an option unless the user has.
 PetscErrorCode SetDefault(const char* name, const char* value) {
@@ -60,6 +53,12 @@ PetscErrorCode WrapVector(MPI_Comm comm, int num_rows, int size, const double* v
 
 }  // namespace
 
+void ReturnFreedMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 MatrixRows ExtractRows(const LowerTriangleView& lower, int first, int last) {
   MatrixRows rows;
   rows.size = lower.size;
@@ -93,6 +92,12 @@ const std::vector<std::string>& MultigridMethods() {
   static const std::vector<std::string> kMethods = {"gamg"};
 #endif
   return kMethods;
+}
+
+int NumberOfMethod(const std::string& method) {
+  const auto& methods = MultigridMethods();
+  const auto found = std::find(methods.begin(), methods.end(), method);
+  return found == methods.end() ? -1 : static_cast<int>(found - methods.begin());
 }
 
 RankSystem::~RankSystem() {

@@ -2,27 +2,25 @@
 
 #include <petscksp.h>
 
+#include <string>
 #include <vector>
 
 #include "cirque/linear/multigrid.h"
 
 namespace cirque {
 
-/// Rows of a matrix, compressed by rows, whose columns increase.
-struct MatrixRows {
-  int size = 0;                 ///< of the whole matrix
-  std::vector<PetscInt> start;  ///< number of rows + 1
-  std::vector<PetscInt> column;
-  std::vector<PetscScalar> value;
-
-  int num_rows() const { return static_cast<int>(start.size()) - 1; }
-};
-
 /// Rows [first, last) of the symmetric matrix with that lower triangle.
 MatrixRows ExtractRows(const LowerTriangleView& lower, int first, int last);
 
+/// A hierarchy is made of many small blocks, whose memory the heap keeps when they are freed and
+/// large blocks cannot use.
+void ReturnFreedMemory();
+
 /// The methods of this PETSc: hypre's BoomerAMG where it is there, and PETSc's own GAMG.
 const std::vector<std::string>& MultigridMethods();
+
+/// The position of that one, -1 when it is none of them.
+int NumberOfMethod(const std::string& method);
 
 /// One rank's part of a distributed system. Every function is collective and returns PETSc's error
 /// code.

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
+#include <iterator>
 #include <numeric>
 #include <thread>
 
@@ -32,9 +34,19 @@ bool RankTeam::Run(const RankCommand& command, const RankData& data, std::string
   return Obey(command, data, error);
 }
 
+RankWork* RankTeam::Begin(const std::string& work, int number) {
+  const auto known = known_works_.find(work);
+  if (known == known_works_.end()) return nullptr;
+  RankCommand command{RankCommand::kBegin, number};
+  command.work = static_cast<int>(std::distance(known_works_.begin(), known));
+  std::string error;
+  return Run(command, {}, &error) ? works_.at(number).get() : nullptr;
+}
+
 void RankTeam::Stop() {
   const std::lock_guard lock(mutex_);
   systems_.clear();
+  works_.clear();
   Announce({});
 }
 
@@ -43,6 +55,7 @@ void RankTeam::Serve() {
   std::string error;
   while ((command = Await()).operation != RankCommand::kStop) Obey(command, {}, &error);
   systems_.clear();
+  works_.clear();
 }
 
 int RankTeam::FirstRow(int rank, int size) const {
@@ -77,18 +90,15 @@ RankCommand RankTeam::Await() {
 }
 
 bool RankTeam::Obey(const RankCommand& command, const RankData& data, std::string* error) {
-  PetscErrorCode code;
   try {
-    code = Execute(command, data);
-  } catch (const std::bad_alloc&) {
-    code = PETSC_ERR_MEM;
+    const PetscErrorCode code = Execute(command, data);
+    if (code == 0) return true;
+    *error = PetscErrorText(code);
+  } catch (const std::exception& exception) {
+    *error = exception.what();
   }
-  if (code == 0) return true;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  *error = text ? text : "unknown error";
   if (session_.num_ranks() > 1) {
-    LOG(ERROR) << "multigrid on rank " << session_.rank() << ": " << *error;
+    LOG(ERROR) << "rank " << session_.rank() << ": " << *error;
     MPI_Abort(session_.comm(), 1);
   }
   return false;
@@ -99,12 +109,27 @@ PetscErrorCode RankTeam::Execute(const RankCommand& command, const RankData& dat
     systems_.erase(command.system);
     return 0;
   }
+  if (command.operation >= RankCommand::kBegin) {
+    DoWork(command);
+    return 0;
+  }
   std::unique_ptr<RankSystem>& system = systems_[command.system];
   if (!system) system = std::make_unique<RankSystem>(session_.comm());
   if (command.operation == RankCommand::kSetUp) return system->SetUp(command.method);
   if (command.operation == RankCommand::kSolve) return Solve(command, data, system.get());
   return system->SetRows(session_.rank() == 0 ? HandOutRows(data.lower)
                                               : ReceiveRows(command.size));
+}
+
+void RankTeam::DoWork(const RankCommand& command) {
+  if (command.operation == RankCommand::kDo) {
+    works_.at(command.system)->Do(command.task);
+  } else if (command.operation == RankCommand::kBegin) {
+    works_[command.system] = std::next(known_works_.begin(), command.work)->second(ranks_);
+  } else {
+    works_.erase(command.system);
+  }
+  ReturnFreedMemory();
 }
 
 PetscErrorCode RankTeam::Solve(const RankCommand& command, const RankData& data,
