@@ -33,8 +33,8 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     } else {
       CHECK_GT(angles.value[g], 0) << "corner " << g;
       CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
-      edges_.push_back({Triangulation::Face(h), Triangulation::Face(g), h, g, alpha,
-                        angles.value[g], CircleAngle::FromCorners(alpha, angles.value[g])});
+      edges_.push_back(
+          {h, g, alpha, angles.value[g], CircleAngle::FromCorners(alpha, angles.value[g])});
     }
   }
 }
@@ -43,19 +43,31 @@ double CirclePatternEnergy::InteriorEdge::natural_d() const {
   return MinimalLogRatio(alpha_i, alpha_j);
 }
 
-bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
+template <class Counts>
+double CirclePatternEnergy::Sum(const double* rho, const Counts& counts) const {
   const double of_faces =
-      ParallelSum(num_faces_, [&](int f) { return boundary_star_[f] * rho[f]; });
+      ParallelSum(num_faces_, [&](int f) { return counts(f) ? boundary_star_[f] * rho[f] : 0.0; });
   const double of_edges = ParallelSum(static_cast<int>(edges_.size()), [&](int k) {
     const InteriorEdge& e = edges_[k];
     CompensatedSum sum;
-    sum += EdgePotential(rho[e.i] - rho[e.j], e.angle.theta).value;
-    sum -= (e.alpha_i + e.alpha_j) * (rho[e.i] + rho[e.j]);
+    if (!counts(e.i())) return sum;
+    sum += EdgePotential(rho[e.i()] - rho[e.j()], e.angle.theta).value;
+    sum -= (e.alpha_i + e.alpha_j) * (rho[e.i()] + rho[e.j()]);
     return sum;
   });
-  *value = of_faces + of_edges;
+  return of_faces + of_edges;
+}
+
+bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
+  *value = Sum(rho, [](int) { return true; });
   if (!std::isfinite(*value)) return false;
   return gradient ? Gradient(rho, gradient) : true;
+}
+
+bool CirclePatternEnergy::Share(const double* rho, const std::vector<bool>& own,
+                                double* share) const {
+  *share = Sum(rho, [&](int f) { return own[f]; });
+  return std::isfinite(*share);
 }
 
 bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
@@ -66,7 +78,7 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
     // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
     // by the rounding of pi, every time.
     const InteriorEdge& e = edges_[k];
-    phi[e.h] = HalfAngle(rho[e.i] - rho[e.j], e.angle);
+    phi[e.h] = HalfAngle(rho[e.i()] - rho[e.j()], e.angle);
     phi[e.g] = (e.alpha_i + e.alpha_j) - phi[e.h];
   });
   ParallelFor(num_faces_, [&](int f) {
@@ -81,7 +93,7 @@ bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const 
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_);
   ParallelFor(static_cast<int>(edges_.size()), [&](int k) {
     const InteriorEdge& e = edges_[k];
-    weight[e.h] = weight[e.g] = HalfAngleWeight(rho[e.i] - rho[e.j], e.angle);
+    weight[e.h] = weight[e.g] = HalfAngleWeight(rho[e.i()] - rho[e.j()], e.angle);
   });
   laplacian_.Assemble(weight, lower);
   return true;
@@ -100,9 +112,9 @@ double CirclePatternEnergy::ResidualOffset() const {
 void CirclePatternEnergy::AddResidualBlocks(double* rho, ceres::Problem* problem) const {
   for (int f = 0; f < num_faces_; ++f) problem->AddParameterBlock(rho + f, 1);
   for (const InteriorEdge& e : edges_) {
-    if (e.i == e.j) continue;
-    problem->AddResidualBlock(new CirclePatternResidual(e.alpha_i, e.alpha_j), nullptr, rho + e.i,
-                              rho + e.j);
+    if (e.i() == e.j()) continue;
+    problem->AddResidualBlock(new CirclePatternResidual(e.alpha_i, e.alpha_j), nullptr, rho + e.i(),
+                              rho + e.j());
   }
   problem->SetParameterBlockConstant(rho);
 }

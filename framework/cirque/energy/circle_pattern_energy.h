@@ -48,6 +48,7 @@ class CirclePatternEnergy final : public Energy {
   int NumParameters() const override { return num_faces_; }
   bool Evaluate(const double* rho, double* value, double* gradient) const override;
   bool Gradient(const double* rho, double* gradient) const override;
+  bool Share(const double* rho, const std::vector<bool>& own, double* share) const override;
   bool Hessian(const double* rho, SparseMatrix* lower) const override;
   std::vector<int> GaugeParameters() const override { return {0}; }
   ResidualForm residual_form() const override { return ResidualForm::kExact; }
@@ -60,11 +61,17 @@ class CirclePatternEnergy final : public Energy {
   double ResidualOffset() const;
 
  private:
+  /// The terms of the faces that `counts` says so of, and of the edges on whose left they are.
+  template <class Counts>
+  double Sum(const double* rho, const Counts& counts) const;
+
   struct InteriorEdge {
-    int i, j;                 ///< the faces left of the edge's halfedge and of its twin
     Index h, g;               ///< the halfedge and its twin
     double alpha_i, alpha_j;  ///< their corner angles opposite the edge
     CircleAngle angle;        ///< of intersection, accurate where theta or theta* is tiny
+    /// The faces left of them.
+    int i() const { return Triangulation::Face(h); }
+    int j() const { return Triangulation::Face(g); }
     /// d_e: the log ratio at which both halves agree with the coherent angles.
     double natural_d() const;
   };

@@ -1,6 +1,7 @@
 #include "cirque/energy/dual_angle_energy.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,17 @@
 #include "cirque/math/compensated_sum.h"
 
 namespace cirque {
+namespace {
+
+/// That of the table; empty: it is not there.
+std::string NameOf(const AngleObjective* objective) {
+  for (const std::string& name : AngleObjectives().Names()) {
+    if (AngleObjectives().Find(name)->get() == objective) return name;
+  }
+  return "";
+}
+
+}  // namespace
 
 DualAngleEnergy::DualAngleEnergy(AngleConstraints constraints, const Eigen::VectorXd& reference,
                                  double epsilon, std::shared_ptr<const AngleObjective> objective)
@@ -64,20 +76,27 @@ Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {
 
 bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient) const {
   if (!AllFinite(y)) return false;
-  // The slope on the side where y is, at a kink that from below; fixed targets have both equal.
-  const auto target = [&](int row) {
-    return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
-  };
   const int rows = constraints_.num_rows();
   double sum;
   const Eigen::VectorXd alpha = Maximise(y, &sum);
-  *value = sum - ParallelSum(rows, [&](int row) { return target(row) * y[row]; });
+  *value = sum - ParallelSum(rows, [&](int row) { return Target(y, row) * y[row]; });
   if (gradient) {
     Eigen::Map<Eigen::VectorXd> of_row(gradient, rows);
     constraints_.Apply(alpha, of_row);
-    ParallelFor(rows, [&](int row) { of_row[row] -= target(row); });
+    ParallelFor(rows, [&](int row) { of_row[row] -= Target(y, row); });
   }
   return std::isfinite(*value);
+}
+
+bool DualAngleEnergy::Share(const double* y, const std::vector<bool>& own, double* share) const {
+  if (!AllFinite(y)) return false;
+  const Triangulation& t = constraints_.triangulation();
+  const double of_edges = SumConjugates(y, [&](Index e, const EdgeConjugate& g) {
+    return own[Triangulation::Face(t.edge_halfedge[e])] ? g.value : 0.;
+  });
+  *share = of_edges - ParallelSum(constraints_.num_rows(),
+                                  [&](int row) { return own[row] ? Target(y, row) * y[row] : 0.; });
+  return std::isfinite(*share);
 }
 
 bool DualAngleEnergy::Hessian(const double* y, SparseMatrix* lower) const {
@@ -106,6 +125,32 @@ bool DualAngleEnergy::SmoothHessian(const double*, SparseMatrix* lower) const {
               [&](Index h) { matrix.Add(h, h, 1 / jets[h].curvature); });
   matrix.Assemble(lower);
   return true;
+}
+
+const EnergySource* DualAngleEnergy::source() const {
+  const bool by_name = !NameOf(objective_.get()).empty();
+  return by_name && !constraints_.HasRanges() && !objective_->TakesArrays() ? this : nullptr;
+}
+
+std::vector<int> DualAngleEnergy::VertexParameters() const {
+  std::vector<int> parameters(constraints_.triangulation().num_vertices, kNone);
+  int row = constraints_.num_faces();
+  for (const Index v : constraints_.constrained_vertices()) parameters[v] = row++;
+  return parameters;
+}
+
+EnergyData DualAngleEnergy::DataOf(const MeshPart& part) const {
+  EnergyData data;
+  data.objective = NameOf(objective_.get());
+  data.epsilon = epsilon_;
+  data.angles = AtHalfedges(part, reference_);
+  const std::vector<int> parameters = VertexParameters();
+  for (const Index v : part.vertex) {
+    const int row = parameters[v];
+    data.lower.push_back(row == kNone ? 0 : constraints_.Lower(row));
+    data.upper.push_back(row == kNone ? kPi * constraints_.corners()[v] : constraints_.Upper(row));
+  }
+  return data;
 }
 
 std::vector<int> DualAngleEnergy::GaugeParameters() const {

@@ -8,6 +8,7 @@
 #include "cirque/energy/angle_constraints.h"
 #include "cirque/energy/angle_objective.h"
 #include "cirque/energy/energy.h"
+#include "cirque/energy/energy_source.h"
 
 namespace cirque {
 
@@ -19,7 +20,7 @@ namespace cirque {
 /// constraints are infeasible f is unbounded below along a Farkas certificate. The sum of a ranged
 /// vertex lies in an interval instead of at b_v: its multiplier pays b_v = lower where it is
 /// positive and b_v = upper where it is not, a kink at 0.
-class DualAngleEnergy final : public Energy {
+class DualAngleEnergy final : public Energy, private EnergySource {
  public:
   /// `reference` (3F angles [rad]) and the constraints' triangulation must outlive the energy.
   DualAngleEnergy(AngleConstraints constraints, const Eigen::VectorXd& reference, double epsilon,
@@ -38,6 +39,11 @@ class DualAngleEnergy final : public Energy {
   /// One row's multiplier at a time (dual_angle_relaxation.cc). Not with ranged vertices.
   bool Relax(double share, double* y, double* gradient) const override;
 
+  bool Share(const double* y, const std::vector<bool>& own, double* share) const override;
+
+  /// Of fixed angle sums and the table's objectives that take one edge after another.
+  const EnergySource* source() const override;
+
   /// alpha(y): the maximisers of all edges, 3F [rad].
   Eigen::VectorXd Angles(const double* y) const;
 
@@ -50,6 +56,16 @@ class DualAngleEnergy final : public Energy {
   /// Calls visit(e, conjugate) for every edge, in parallel, and adds up what it returns.
   template <class Visit>
   double SumConjugates(const double* y, const Visit& visit) const;
+
+  const char* Work() const override { return kDualAngleWork; }
+  const Triangulation& triangulation() const override { return constraints_.triangulation(); }
+  std::vector<int> VertexParameters() const override;
+  EnergyData DataOf(const MeshPart& part) const override;
+
+  /// The slope of -b.y, where y is; at a kink from below. Fixed targets have both sides equal.
+  double Target(const double* y, int row) const {
+    return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
+  }
 
   /// Whether that row adds up the angle at corner h.
   bool IsInRow(Index h, int row) const;

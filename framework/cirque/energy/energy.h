@@ -17,6 +17,8 @@ enum class ResidualForm {
               ///< gradient, and J'J = H^2
 };
 
+class EnergySource;
+
 /// Where an energy has a kink: at 0 of this parameter its slope jumps upwards by `jump` >= 0.
 struct Kink {
   int parameter;
@@ -36,6 +38,17 @@ class Energy : public ceres::FirstOrderFunction {
     double value;
     return Evaluate(x, &value, gradient);
   }
+
+  /// What belongs to these parameters of the value of a sum over edges: every term is that of one
+  /// parameter, so that the shares of parameters that together are all add up to the value. False
+  /// outside the domain, and of energies that are taken as a whole (source()).
+  virtual bool Share(const double* /*x*/, const std::vector<bool>& /*own*/,
+                     double* /*share*/) const {
+    return false;
+  }
+
+  /// How ranks take this energy in parts; null: they do not.
+  virtual const EnergySource* source() const { return nullptr; }
 
   /// The (generalised) Hessian's lower triangle. Its pattern may depend on x. False outside the
   /// domain.
