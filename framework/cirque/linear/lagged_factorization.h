@@ -20,6 +20,7 @@ class LaggedFactorization final : public SystemSolver {
   LaggedFactorization(std::unique_ptr<SparseCholesky> cholesky, int max_cg_iterations)
       : cholesky_(std::move(cholesky)), max_cg_iterations_(max_cg_iterations) {}
 
+  bool WantsPattern() const override { return true; }
   void Prepare(const SparseMatrix& lower) override { cholesky_->Prepare(lower); }
 
   bool Solve(const SparseMatrix& lower, const Eigen::VectorXd& right_side,

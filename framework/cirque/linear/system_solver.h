@@ -19,6 +19,9 @@ class SystemSolver {
  public:
   virtual ~SystemSolver() = default;
 
+  /// Whether Prepare has a use for the pattern.
+  virtual bool WantsPattern() const { return false; }
+
   /// Does ahead of the first system what its pattern alone allows; its values may be any.
   virtual void Prepare(const SparseMatrix& lower) { static_cast<void>(lower); }
 

@@ -60,4 +60,9 @@ std::unique_ptr<SystemSolver> AutoStrategy::MakeSystemSolver(int num_unknowns) c
   return NewtonAmgStrategy(WithLimits<NewtonAmgOptions>(limits_)).MakeSystemSolver(num_unknowns);
 }
 
+std::unique_ptr<EnergyOnRanks> AutoStrategy::TakeToRanks(const EnergySource& source) const {
+  if (!UsesMultigrid(source.NumParameters())) return nullptr;
+  return NewtonAmgStrategy(WithLimits<NewtonAmgOptions>(limits_)).TakeToRanks(source);
+}
+
 }  // namespace cirque

@@ -22,6 +22,9 @@ class LevenbergMarquardtDamping {
   /// Damps a Hessian where it is.
   void DampHessian(SparseMatrix* hessian);
 
+  /// The mean diagonal entry of a Hessian that others damp by damping().
+  void SetScale(double mean_diagonal) { scale_ = mean_diagonal; }
+
   /// Raises the damping 100-fold, to at least 1e-5 of the mean diagonal. False when it is as high as
   /// makes sense.
   bool Raise();

@@ -6,6 +6,7 @@
 #include "cirque/core/option_table.h"
 #include "cirque/linear/amg_system_solver.h"
 #include "cirque/linear/system_solver.h"
+#include "cirque/solver/energy_on_ranks.h"
 #include "cirque/solver/solve_run.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -72,8 +73,8 @@ const OptionTable<NewtonAmgOptions>& NewtonAmgOptionTable();
 /// algebraic multigrid (IterateInexactNewton, AmgSystemSolver): time and memory proportional to the
 /// unknowns on the Laplacians of circle patterns. By PETSc (Balay et al., PETSc/TAO users manual,
 /// ANL-21/39) with hypre's BoomerAMG (Henson & Yang, Appl. Numer. Math. 41, 2002) or its own GAMG,
-/// on one process or on all that mpirun has started (ServeOtherRanks). The summary counts
-/// hierarchies as factorizations and multigrid cycles as linear solves; its message and its
+/// on one process or on all that mpirun has started (ServeOtherRanks): energies with a source() are
+/// then taken in parts (EnergyOnRanks). The summary counts hierarchies as factorizations and multigrid cycles as linear solves; its message and its
 /// strategy say when systems had to be factored after all.
 class NewtonAmgStrategy final : public SolverStrategy {
  public:
@@ -81,8 +82,16 @@ class NewtonAmgStrategy final : public SolverStrategy {
   SolveSummary Minimize(const Energy& energy, const SolveControl& control,
                         Eigen::VectorXd* x) const override;
   std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const override;
+  std::unique_ptr<EnergyOnRanks> TakeToRanks(const EnergySource& source) const override;
 
  private:
+  SolveSummary MinimizeOnRanks(const EnergyOnRanks& energy, const SolveControl& control,
+                               Eigen::VectorXd* x) const;
+
+  /// With the systems of an energy that is whole.
+  SolveSummary MinimizeWhole(const Energy& energy, const SolveControl& control,
+                             Eigen::VectorXd* x) const;
+
   NewtonAmgOptions options_;
 };
 
@@ -100,6 +109,7 @@ class AutoStrategy final : public SolverStrategy {
   SolveSummary Minimize(const Energy& energy, const SolveControl& control,
                         Eigen::VectorXd* x) const override;
   std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const override;
+  std::unique_ptr<EnergyOnRanks> TakeToRanks(const EnergySource& source) const override;
 
  private:
   SolverLimits limits_;

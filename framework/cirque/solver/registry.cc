@@ -40,6 +40,10 @@ std::unique_ptr<SystemSolver> SolverStrategy::MakeSystemSolver(int) const {
   return std::make_unique<LaggedFactorization>(MakeCholesky(), kFactorIterations);
 }
 
+std::unique_ptr<EnergyOnRanks> SolverStrategy::TakeToRanks(const EnergySource&) const {
+  return nullptr;
+}
+
 StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
                                                                    const OptionMap& options) {
   if (name == kMultigridStrategy && !BuiltWithMultigrid()) return MultigridNotBuilt();

@@ -23,6 +23,8 @@ struct SolverLimits {
   double max_seconds = 1e9;
 };
 
+class EnergyOnRanks;
+
 /// A way to minimise any Energy that offers the form it needs.
 class SolverStrategy {
  public:
@@ -35,6 +37,10 @@ class SolverStrategy {
   /// What shall solve the systems of a start with this many unknowns, to be handed on to Minimize
   /// as control.system_solver. Unless the strategy has another: a LaggedFactorization.
   virtual std::unique_ptr<SystemSolver> MakeSystemSolver(int num_unknowns) const;
+
+  /// That energy on all ranks, to be handed on to Minimize; null where this strategy does not work
+  /// on ranks, or there is one alone. `source` must outlive it.
+  virtual std::unique_ptr<EnergyOnRanks> TakeToRanks(const EnergySource& source) const;
 };
 
 /// Makes a strategy from its options; errors name the option, its value and its bound.
