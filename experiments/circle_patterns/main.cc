@@ -9,6 +9,7 @@
 #include "cirque/linear/blas_threads.h"
 #include "cirque/linear/multigrid.h"
 #include "cirque/pipeline/certificate.h"
+#include "cirque/pipeline/rank_works.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/circle_patterns/flags.h"
@@ -31,7 +32,7 @@ Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostre
 }
 
 int Main(int argc, char** argv) {
-  const StatusOr<bool> served = ServeOtherRanks({});
+  const StatusOr<bool> served = ServeOtherRanks(AllRankWorks());
   if (!served.ok()) return Conclude(served.status());
   if (*served) return 0;
   CirclePatternsFlags flags;

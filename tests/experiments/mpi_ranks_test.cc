@@ -3,6 +3,7 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,14 +71,16 @@ std::string StrategyOf(const std::string& stage, const std::string& certificate)
   return nlohmann::json::parse(file)["solvers"][stage];
 }
 
-TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
+TEST_F(MpiRanks, OneTwoAndFourGiveTheMapOfFactorizations) {
   const std::string amg = "--radii_solver=newton_amg --angle_solver=newton_amg";
+  const auto on_ranks = [&](int ranks) {
+    return RunShell(kMpirun + ("--oversubscribe -n " + std::to_string(ranks) + " " +
+                               Program(std::to_string(ranks) + ".obj", amg)));
+  };
   const ProgramResult factored =
       RunShell(Program("factored.obj", "--radii_solver=newton_cg --angle_solver=newton"));
-  const ProgramResult one = RunShell(Program("one.obj", amg));
-  const ProgramResult alone = RunShell(kMpirun + ("-n 1 " + Program("alone.obj", amg)));
-  const ProgramResult two = RunShell(kMpirun + ("-n 2 " + Program("two.obj", amg)));
-  for (const ProgramResult& run : {factored, one, alone, two}) {
+  const ProgramResult alone = RunShell(Program("alone.obj", amg));
+  for (const ProgramResult& run : {factored, alone, on_ranks(1), on_ranks(2), on_ranks(4)}) {
     ASSERT_EQ(run.exit_status, 0) << run.output;
     // Only the first rank speaks, and no library does.
     EXPECT_EQ(run.output.find("triangles)"), run.output.rfind("triangles)")) << run.output;
@@ -87,13 +90,30 @@ TEST_F(MpiRanks, OneAndTwoGiveTheMapOfFactorizations) {
   }
   const Points wanted = ReadUv(folder_.Path("factored.obj"));
   EXPECT_GT(wanted.lpNorm<Eigen::Infinity>(), 0);
-  for (const std::string name : {"one", "alone", "two"}) {
-    EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9);
-    // Nothing was factored in secret.
+  const std::map<std::string, std::string> strategies = {{"alone", "newton_amg"},
+                                                         {"1", "newton_amg"},
+                                                         {"2", "newton_amg on 2 ranks"},
+                                                         {"4", "newton_amg on 4 ranks"}};
+  for (const auto& [name, strategy] : strategies) {
+    EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(name + ".obj"))), 1e-9) << name;
+    // Nothing was factored in secret, and nothing done by the first rank alone.
     for (const char* stage : {"angles", "radii"}) {
-      EXPECT_EQ(StrategyOf(stage, folder_.Path(name + ".certificate.json")), "newton_amg");
+      EXPECT_EQ(StrategyOf(stage, folder_.Path(name + ".certificate.json")), strategy);
     }
   }
+}
+
+/// A ranged angle sum has a kink: the first rank fits those angles.
+TEST_F(MpiRanks, AnglesOfRangedSumsAreFittedWhole) {
+  std::ofstream(folder_.Path("cones.txt")) << "200 1.5 2.5\n";
+  const std::string flags =
+      "--radii_solver=newton_amg --angle_solver=newton_amg -iv " + folder_.Path("cones.txt");
+  ASSERT_EQ(RunShell(Program("one.obj", flags)).exit_status, 0);
+  const ProgramResult two = RunShell(kMpirun + ("-n 2 " + Program("two.obj", flags)));
+  ASSERT_EQ(two.exit_status, 0) << two.output;
+  EXPECT_LT(Distance(ReadUv(folder_.Path("one.obj")), ReadUv(folder_.Path("two.obj"))), 1e-9);
+  EXPECT_EQ(StrategyOf("angles", folder_.Path("two.certificate.json")), "newton_amg");
+  EXPECT_EQ(StrategyOf("radii", folder_.Path("two.certificate.json")), "newton_amg on 2 ranks");
 }
 
 /// Two network namespaces: nothing but TCP joins the ranks.

@@ -1,3 +1,5 @@
+#include "cirque/radii/pattern_volume.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,14 +18,14 @@ constexpr int kMaxIterations = 30, kMaxHalvings = 30;
 constexpr double kKeptShare = 0.05;  ///< of an angle, at least, in one step
 /// The slope at the end of a step, relative to its start, that is still accepted.
 constexpr double kOvershoot = 0.5;
-constexpr double kTolerance = 1e-2;     ///< of the change of the multipliers
 constexpr double kLeastProgress = 0.9;  ///< of the gradient over two steps
 
 /// The corner angles and the Newton step that moves them.
 class Volume {
  public:
-  Volume(const Triangulation& t, const CoherentAngles& angles, const DualLaplacian& laplacian)
-      : t_(t), laplacian_(laplacian), phi_(angles.value) {}
+  Volume(const Triangulation& t, const Eigen::VectorXd& angles, const DualLaplacian& laplacian,
+         VolumeDomain* domain)
+      : t_(t), laplacian_(laplacian), domain_(*domain), phi_(angles) {}
 
   /// The normal equations of the least-squares problem at the present angles.
   void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) const {
@@ -53,7 +55,7 @@ class Volume {
         longest[block] = std::min(longest[block], LongestStep(e, step[e]));
       }
     });
-    double t = *std::min_element(longest.begin(), longest.end());
+    double t = domain_.Least(*std::min_element(longest.begin(), longest.end()));
     const double slope = SlopeAt(0, step);
     for (int i = 0; i < kMaxHalvings && SlopeAt(t, step) < -kOvershoot * slope; ++i) t *= 0.5;
     ParallelFor(t_.num_edges(), [&](Index e) {
@@ -96,45 +98,78 @@ class Volume {
 
   /// dV/dt after a share t of the step.
   double SlopeAt(double t, const Eigen::VectorXd& step) const {
-    return ParallelSum(t_.num_edges(), [&](Index e) {
-      if (!IsInterior(e)) return 0.0;
+    return domain_.Sum(ParallelSum(t_.num_edges(), [&](Index e) {
+      if (!IsInterior(e) || !domain_.Counts(Triangulation::Face(Left(e)))) return 0.0;
       return step[e] * std::log(std::sin(phi_[Right(e)] - t * step[e]) /
                                 std::sin(phi_[Left(e)] + t * step[e]));
-    });
+    }));
   }
 
   const Triangulation& t_;
   const DualLaplacian& laplacian_;
+  VolumeDomain& domain_;
   Eigen::VectorXd phi_;  ///< per halfedge, the corner angle opposite it [rad]
+};
+
+/// All on this process.
+class WholeDomain final : public VolumeDomain {
+ public:
+  WholeDomain(const CirclePatternEnergy& energy, SystemSolver* solver, SolveSummary* summary)
+      : damping_(energy), solver_(*solver), summary_(*summary) {}
+
+  bool SolveForChange(SparseMatrix* lower, const Eigen::VectorXd& right_side,
+                      const Eigen::VectorXd& rho, Eigen::VectorXd* change) override {
+    damping_.DampHessian(lower);
+    const Eigen::VectorXd missing = right_side - lower->selfadjointView<Eigen::Lower>() * rho;
+    return solver_.Solve(*lower, missing, {kVolumeTolerance}, change, &summary_);
+  }
+  double Sum(double mine) override { return mine; }
+  double Least(double mine) override { return mine; }
+  double LargestEntry(const Eigen::VectorXd& gradient) override {
+    return gradient.lpNorm<Eigen::Infinity>();
+  }
+  bool Counts(Index) const override { return true; }
+
+ private:
+  LevenbergMarquardtDamping damping_;
+  SystemSolver& solver_;
+  SolveSummary& summary_;
 };
 
 }  // namespace
 
-SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
-                                   const CirclePatternEnergy& energy, double gradient_max,
-                                   SystemSolver* solver, Eigen::VectorXd* rho) {
-  Volume volume(t, angles, energy.laplacian());
-  SolveSummary summary;
-  LevenbergMarquardtDamping shift(energy);
-  SparseMatrix lower;
-  Eigen::VectorXd right_side, gradient(t.num_faces());
+void MaximizeVolume(const Triangulation& t, const Eigen::VectorXd& angles,
+                    const CirclePatternEnergy& energy, double gradient_max, VolumeDomain* domain,
+                    Eigen::VectorXd* rho) {
+  Volume volume(t, angles, energy.laplacian(), domain);
   rho->setZero(t.num_faces());
   double before = std::numeric_limits<double>::infinity(), last = before;
   for (int i = 0; i < kMaxIterations; ++i) {
-    volume.Linearize(&lower, &right_side);
     // The multipliers change less and less: solve for their change.
-    shift.DampHessian(&lower);
     Eigen::VectorXd change;
-    const Eigen::VectorXd missing = right_side - lower.selfadjointView<Eigen::Lower>() * *rho;
-    if (!solver->Solve(lower, missing, {kTolerance}, &change, &summary)) break;
+    {
+      SparseMatrix lower;
+      Eigen::VectorXd right_side;
+      volume.Linearize(&lower, &right_side);
+      if (!domain->SolveForChange(&lower, right_side, *rho, &change)) break;
+    }
     *rho += change;
+    Eigen::VectorXd gradient(t.num_faces());
     energy.Gradient(rho->data(), gradient.data());
-    const double now = gradient.lpNorm<Eigen::Infinity>();
+    const double now = domain->LargestEntry(gradient);
     if (now <= gradient_max || now > kLeastProgress * before) break;
     before = last;
     last = now;
     volume.Step(*rho);
   }
+}
+
+SolveSummary MaximizePatternVolume(const Triangulation& t, const CoherentAngles& angles,
+                                   const CirclePatternEnergy& energy, double gradient_max,
+                                   SystemSolver* solver, Eigen::VectorXd* rho) {
+  SolveSummary summary;
+  WholeDomain domain(energy, solver, &summary);
+  MaximizeVolume(t, angles.value, energy, gradient_max, &domain, rho);
   return summary;
 }
 

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cirque/energy/circle_pattern_energy.h"
+#include "cirque/energy/circle_pattern_source.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/radii/pattern_part.h"
+#include "cirque/solver/energy_on_ranks.h"
 
 namespace cirque {
 namespace {
@@ -56,7 +60,9 @@ Status CheckStrictlyCoherent(const Triangulation& t, const CoherentAngles& angle
 
 RadiiSystem::RadiiSystem(const Triangulation& t, const SolverStrategy& strategy)
     : solver_(strategy.MakeSystemSolver(t.num_faces())),
-      analysis_(t.num_faces(), [this, &t] { solver_->Prepare(DualLaplacian(t).pattern()); }) {}
+      analysis_(solver_->WantsPattern() ? t.num_faces() : 0, [this, &t] {
+        if (solver_->WantsPattern()) solver_->Prepare(DualLaplacian(t).pattern());
+      }) {}
 
 SystemSolver* RadiiSystem::Get() {
   analysis_.Wait();
@@ -74,11 +80,20 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
   return SolveLogRadii(t, angles, strategy, control, &system, result);
 }
 
-Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
-                     const SolverStrategy& strategy, const SolveControl& control,
-                     RadiiSystem* system, LogRadiiResult* result) {
-  result->log_radii.value = Eigen::VectorXd::Zero(t.num_faces());
-  if (Status s = CheckStrictlyCoherent(t, angles); !s.ok()) return s;
+namespace {
+
+/// What both ways end with.
+void Conclude(const Energy& energy, Eigen::VectorXd rho, LogRadiiResult* result) {
+  rho.array() -= rho.mean();
+  Eigen::VectorXd gradient(rho.size());
+  energy.Gradient(rho.data(), gradient.data());
+  result->gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  result->log_radii.value = std::move(rho);
+}
+
+void SolveWhole(const Triangulation& t, const CoherentAngles& angles,
+                const SolverStrategy& strategy, const SolveControl& control, RadiiSystem* system,
+                LogRadiiResult* result) {
   const CirclePatternEnergy energy(t, angles);
   Eigen::VectorXd rho;
   SolveControl with_solver = control;
@@ -86,12 +101,40 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
   result->start =
       MaximizePatternVolume(t, angles, energy, kStartGradient, with_solver.system_solver, &rho);
   result->solve = strategy.Minimize(energy, with_solver, &rho);
-  rho.array() -= rho.mean();
-  result->log_radii.value = rho;
-  Eigen::VectorXd gradient(rho.size());
-  energy.Gradient(rho.data(), gradient.data());
+  Conclude(energy, std::move(rho), result);
+}
+
+/// False where there are no ranks, or multigrid does not converge on them.
+bool SolveOnRanks(const Triangulation& t, const CoherentAngles& angles,
+                  const SolverStrategy& strategy, const SolveControl& control,
+                  LogRadiiResult* result) {
+  const CirclePatternSource source(t, angles);
+  const auto energy = strategy.TakeToRanks(source);
+  if (!energy) return false;
+  Eigen::VectorXd rho(t.num_faces());
+  EnergyCall& call = energy->work().part().call;
+  call.result = rho.data();
+  call.tolerance = kStartGradient;
+  call.summary = &result->start;
+  energy->work().Do(PatternPart::kMaximizeVolume);
+  call.summary = nullptr;
+  result->solve = strategy.Minimize(*energy, control, &rho);
+  if (energy->failed()) return false;
+  Conclude(*energy, std::move(rho), result);
+  return true;
+}
+
+}  // namespace
+
+Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
+                     const SolverStrategy& strategy, const SolveControl& control,
+                     RadiiSystem* system, LogRadiiResult* result) {
+  result->log_radii.value = Eigen::VectorXd::Zero(t.num_faces());
+  if (Status s = CheckStrictlyCoherent(t, angles); !s.ok()) return s;
+  if (!SolveOnRanks(t, angles, strategy, control, result)) {
+    SolveWhole(t, angles, strategy, control, system, result);
+  }
   result->energy = result->solve.final_value;
-  result->gradient_max = gradient.lpNorm<Eigen::Infinity>();
   result->dual_energy = DualEnergy(t, angles, FlatCornerAngles(t, angles, result->log_radii));
   if (result->solve.termination == Termination::kCancelled) {
     return Status(StatusCode::kCancelled, "log radii: cancelled");
