@@ -12,6 +12,7 @@
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/math/clausen.h"
 #include "cirque/mesh/preflight.h"
+#include "cirque/radii/pattern_volume.h"
 
 #include "tests/common/renumbering.h"
 #include "tests/common/surfaces.h"

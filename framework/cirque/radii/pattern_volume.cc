@@ -8,7 +8,6 @@
 #include "cirque/core/parallel.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/compensated_sum.h"
-#include "cirque/radii/solve_log_radii.h"
 #include "cirque/solver/newton_loop.h"
 
 namespace cirque {

@@ -13,6 +13,7 @@
 #include "cirque/math/clausen.h"
 #include "cirque/math/compensated_sum.h"
 #include "cirque/radii/pattern_part.h"
+#include "cirque/radii/pattern_volume.h"
 #include "cirque/solver/energy_on_ranks.h"
 
 namespace cirque {
