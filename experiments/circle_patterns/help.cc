@@ -27,9 +27,8 @@ Manual ProgramManual() {
       "written.",
       "A terminal is told the stage and how long it has taken; a pipe is not, nor is anybody with "
       "--quiet.",
-      "`mpirun -n 4 circle_patterns --radii_solver=newton_amg ...` distributes the linear systems "
-      "of "
-      "huge meshes over processes, where PETSc was built in."};
+      "`mpirun -n 4 circle_patterns --radii_solver=newton_amg ...` distributes the work on huge "
+      "meshes over processes, where PETSc was built in."};
   manual.statuses = {{"0", "done"},
                      {"1", "not converged, inaccurate or interrupted"},
                      {"2", "bad input, or the machine failed"},
