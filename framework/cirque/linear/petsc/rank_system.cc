@@ -107,6 +107,7 @@ RankSystem::~RankSystem() {
 }
 
 PetscErrorCode RankSystem::SetRows(const MatrixRows& rows) {
+  ReturnFreedMemory();  // of whatever the rows were made from
   const bool same_size = matrix_ && rows.size == size_;
   if (!same_size) PetscCall(KSPDestroy(&solver_));
   PetscCall(MatDestroy(&matrix_));
