@@ -21,6 +21,28 @@ TEST_P(EveryLinearSolver, SolvesToRounding) {
   EXPECT_LT((cholesky->Solve(right_side) - wanted).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
+// Of few unknowns and of many, by itself and behind an elimination, with numbers in double and in single
+// precision.
+TEST_P(EveryLinearSolver, SolvesForManyRightSidesAsForEach) {
+  for (const int side : {8, 100}) {
+    const Eigen::MatrixXd sides = Eigen::MatrixXd::Random(side * side, 10);
+    std::unique_ptr<SparseCholesky> solvers[] = {Make(), MakeCholesky(GetParam())};
+    for (const auto& cholesky : solvers) {
+      ASSERT_TRUE(cholesky->Factorize(GridMatrix(side, 0.5)));
+      for (const double tolerance : {1e-13, 1e-5}) {
+        Eigen::MatrixXd together;
+        cholesky->SolveTogether(sides, &together);
+        for (int c = 0; c < sides.cols(); ++c) {
+          const Eigen::VectorXd alone = cholesky->Solve(sides.col(c));
+          EXPECT_GT(alone.norm(), 1);
+          EXPECT_LT((together.col(c) - alone).norm(), tolerance * alone.norm());
+        }
+        cholesky->KeepInSinglePrecision();
+      }
+    }
+  }
+}
+
 TEST_P(EveryLinearSolver, ReusesTheAnalysisOfAnEqualPattern) {
   const auto cholesky = Make();
   ASSERT_TRUE(cholesky->Factorize(GridMatrix(8, 0.5)));

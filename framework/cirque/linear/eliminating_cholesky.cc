@@ -57,24 +57,21 @@ class EliminatingCholesky final : public SparseCholesky {
 
   void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
     reduced_.resize(NumKept());
-    ParallelFor(NumKept(), [&](int j) {
-      double sum = b[kept_[j]];
-      for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
-        if (coupling_[k].other < 0) {
-          sum -= scaled_[k] * b[eliminated_[~coupling_[k].other].unknown];
-        }
-      }
-      reduced_[j] = sum;
-    });
+    Reduce(b.data(), reduced_.data());
     if (!kept_.empty()) inner_->Solve(reduced_, &of_kept_);
     x->resize(b.size());
-    ParallelFor(NumKept(), [&](int j) { (*x)[kept_[j]] = of_kept_[j]; });
-    ParallelFor(static_cast<int>(eliminated_.size()), [&](int k) {
-      const Eliminated& e = eliminated_[k];
-      double rest = b[e.unknown];
-      for (int n = 0; n < e.count; ++n) rest -= numbers_[k].coupling[n] * of_kept_[e.kept[n]];
-      (*x)[e.unknown] = rest * numbers_[k].inverse;
-    });
+    Complete(b.data(), of_kept_.data(), x->data());
+  }
+
+  void SolveTogether(const Eigen::MatrixXd& b, Eigen::MatrixXd* x) override {
+    Eigen::MatrixXd reduced(NumKept(), b.cols()), of_kept;
+    for (Eigen::Index c = 0; c < b.cols(); ++c) Reduce(b.col(c).data(), reduced.col(c).data());
+    if (!kept_.empty()) inner_->SolveTogether(reduced, &of_kept);
+    x->resize(b.rows(), b.cols());
+    for (Eigen::Index c = 0; c < b.cols(); ++c) {
+      const double* kept = kept_.empty() ? nullptr : of_kept.col(c).data();
+      Complete(b.col(c).data(), kept, x->col(c).data());
+    }
   }
 
   void Reserve(int unknowns) override { inner_->Reserve(static_cast<int>(kLeastKept * unknowns)); }
@@ -114,6 +111,30 @@ class EliminatingCholesky final : public SparseCholesky {
     int other;     ///< its number, or ~(its place among the eliminated)
     int position;  ///< of the entry among the matrix' values
   };
+
+  /// The right side of the kept unknowns.
+  void Reduce(const double* b, double* reduced) const {
+    ParallelFor(NumKept(), [&](int j) {
+      double sum = b[kept_[j]];
+      for (int k = first_coupling_[j]; k < first_coupling_[j + 1]; ++k) {
+        if (coupling_[k].other < 0) {
+          sum -= scaled_[k] * b[eliminated_[~coupling_[k].other].unknown];
+        }
+      }
+      reduced[j] = sum;
+    });
+  }
+
+  /// All unknowns, given the kept ones.
+  void Complete(const double* b, const double* of_kept, double* x) const {
+    ParallelFor(NumKept(), [&](int j) { x[kept_[j]] = of_kept[j]; });
+    ParallelFor(static_cast<int>(eliminated_.size()), [&](int k) {
+      const Eliminated& e = eliminated_[k];
+      double rest = b[e.unknown];
+      for (int n = 0; n < e.count; ++n) rest -= numbers_[k].coupling[n] * of_kept[e.kept[n]];
+      x[e.unknown] = rest * numbers_[k].inverse;
+    });
+  }
 
   int NumKept() const { return static_cast<int>(kept_.size()); }
 

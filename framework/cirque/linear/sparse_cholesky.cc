@@ -13,6 +13,11 @@ bool SparseCholesky::Factorize(const SparseMatrix& lower) {
   return FactorizeNumerically(lower);
 }
 
+void SparseCholesky::SolveTogether(const Eigen::MatrixXd& b, Eigen::MatrixXd* x) {
+  x->resize(b.rows(), b.cols());
+  for (Eigen::Index c = 0; c < b.cols(); ++c) x->col(c) = Solve(b.col(c));
+}
+
 bool SparseCholesky::Prepare(const SparseMatrix& lower) {
   return SamePatternAsBefore(lower) || AnalyzeAnew(lower);
 }

@@ -33,6 +33,10 @@ class SparseCholesky {
     return x;
   }
 
+  /// The same of every column of b, to rounding. Several at once share the reading of the factor, which
+  /// is most of the time of a solve with a large one.
+  virtual void SolveTogether(const Eigen::MatrixXd& b, Eigen::MatrixXd* x);
+
   /// Rounds the factor to single precision: until the next factorization Solve() is right to six
   /// digits only, enough for a preconditioner, and faster.
   virtual void KeepInSinglePrecision() {}

@@ -61,6 +61,21 @@ TEST_P(DenseTrapezoidTest, SolvesForwardsAndBackwards) {
   EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
 }
 
+TEST_P(DenseTrapezoidTest, SolvesForManyRightSidesAsForEach) {
+  const MatrixXd numbers = Wanted(), sides = MatrixXd::Random(kSolvedTogether, rows_);
+  const DenseTrapezoid factored = {const_cast<double*>(numbers.data()), rows_, columns_};
+  MatrixXd forwards = sides, backwards = sides;  // by columns, so that rows of w lie side by side
+  SolveTogetherWithTrapezoid(factored, forwards.data());
+  SolveTogetherWithTrapezoidTransposed(factored, backwards.data());
+  for (int c = 0; c < kSolvedTogether; ++c) {
+    VectorXd w = sides.row(c), transposed = w;
+    SolveWithTrapezoid(factored, w.data());
+    SolveWithTrapezoidTransposed(factored, transposed.data());
+    EXPECT_LT((forwards.row(c).transpose() - w).norm(), 1e-12 * w.norm());
+    EXPECT_LT((backwards.row(c).transpose() - transposed).norm(), 1e-12 * transposed.norm());
+  }
+}
+
 TEST_P(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {
   const int rows = rows_ - 1, columns = std::min(columns_, rows);
   MatrixXd product = MatrixXd::Constant(rows, columns, 7);

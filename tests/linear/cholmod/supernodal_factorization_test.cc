@@ -43,6 +43,13 @@ class SupernodalFactorizationTest : public ::testing::Test {
     return x;
   }
 
+  Eigen::MatrixXd SolveTogether(const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd x;
+    SupernodalSolver(factorization_.tree(), static_cast<const int*>(ours_.factor().Perm))
+        .SolveTogether(factorization_, b, &x);
+    return x;
+  }
+
   const Eigen::VectorXd b_ = Eigen::VectorXd::LinSpaced(kSide * kSide, -1, 2);
   const SparseMatrix lower_ = GridMatrix(kSide, 0.1, 0.5);
   AnalysedFactor ours_{lower_};
@@ -68,6 +75,23 @@ TEST_F(SupernodalFactorizationTest, SolvesForASingleEntry) {
     const Eigen::VectorXd rest = lower_.selfadjointView<Eigen::Lower>() * x - unit;
     EXPECT_LT(rest.lpNorm<Eigen::Infinity>(), 1e-13);
   }
+}
+
+// Dense ones, single entries and zeros, more than are solved for at once.
+TEST_F(SupernodalFactorizationTest, SolvesForManyRightSidesAsForEach) {
+  ASSERT_TRUE(factorization_.Compute(lower_));
+  Eigen::MatrixXd sides = Eigen::MatrixXd::Zero(kSide * kSide, 11);
+  for (int c = 0; c < 8; ++c) sides(1000 * c + 7, c) = 1 + c;
+  sides.col(9) = b_;
+  sides.col(10) = b_.reverse();
+  const Eigen::MatrixXd together = SolveTogether(sides);
+  for (int c = 0; c < 11; ++c) {
+    const Eigen::VectorXd alone = Solve(sides.col(c));
+    EXPECT_EQ(alone.isZero(0), c == 8);
+    EXPECT_LE((together.col(c) - alone).norm(), 1e-13 * alone.norm()) << c;
+  }
+  const ThreadLimit limit(1);
+  EXPECT_EQ(SolveTogether(sides), together);
 }
 
 TEST_F(SupernodalFactorizationTest, DoesNotDependOnTheNumberOfThreads) {

@@ -89,6 +89,11 @@ class CholmodCholesky final : public SparseCholesky {
     *x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
   }
 
+  void SolveTogether(const Eigen::MatrixXd& b, Eigen::MatrixXd* x) override {
+    if (!solver_ || rounded_ || b.cols() == 1) return SparseCholesky::SolveTogether(b, x);
+    solver_->SolveTogether(*supernodal_, b, x);
+  }
+
   void Reserve(int unknowns) override {
     if (unknowns < kManyUnknowns) return;
     numbers_.ReserveAhead(static_cast<std::size_t>(kLeastNumbers * unknowns * std::log2(unknowns)));

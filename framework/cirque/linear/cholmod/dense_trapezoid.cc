@@ -27,6 +27,7 @@ namespace {
 
 constexpr int kFewColumns = 8;      ///< up to here our loops are faster than the calls
 constexpr int kFewProducts = 64;    ///< columns times inner ones, likewise
+constexpr int kFewNumbers = 256;    ///< of a trapezoid that solves for many right sides, likewise
 constexpr int kBlockColumns = 128;  ///< of a factorization in parallel
 constexpr int kBlockRows = 256;
 
@@ -146,6 +147,66 @@ void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
     const Eigen::Map<const Eigen::VectorXd> entries(column + j + 1, below), of_w(w + j + 1, below);
     w[j] = (w[j] - entries.dot(of_w)) / column[j];
   }
+}
+
+namespace {
+
+using RightSides = Eigen::Array<double, kSolvedTogether, 1>;
+using RowOfRightSides = Eigen::Map<RightSides>;
+
+RowOfRightSides RowOf(double* w, int i) {
+  return RowOfRightSides(w + static_cast<std::size_t>(i) * kSolvedTogether);
+}
+
+bool HasFewNumbers(const DenseTrapezoid& t) { return t.rows * t.columns <= kFewNumbers; }
+
+void SolveTogetherWithFew(const DenseTrapezoid& t, double* w) {
+  for (int j = 0; j < t.columns; ++j) {
+    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    const RightSides solved = RowOf(w, j) / column[j];
+    RowOf(w, j) = solved;
+    for (int i = j + 1; i < t.rows; ++i) RowOf(w, i) -= column[i] * solved;
+  }
+}
+
+void SolveTogetherWithFewTransposed(const DenseTrapezoid& t, double* w) {
+  for (int j = t.columns; j-- > 0;) {
+    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    RightSides rest = RowOf(w, j);
+    for (int i = j + 1; i < t.rows; ++i) rest -= column[i] * RowOf(w, i);
+    RowOf(w, j) = rest / column[j];
+  }
+}
+
+/// The columns' rows of w become themselves times L^-T, or times L^-1: w seen by columns is its
+/// transpose.
+void SolveColumnsTogether(const char* transpose, const DenseTrapezoid& t, double* w) {
+  const double one = 1;
+  dtrsm_("R", "L", transpose, "N", &kSolvedTogether, &t.columns, &one, t.data, &t.rows, w,
+         &kSolvedTogether);
+}
+
+}  // namespace
+
+void SolveTogetherWithTrapezoid(const DenseTrapezoid& t, double* w) {
+  if (HasFewNumbers(t)) return SolveTogetherWithFew(t, w);
+  SolveColumnsTogether("T", t, w);
+  const int below = t.rows - t.columns;
+  if (below == 0) return;
+  const double one = 1, minus_one = -1;
+  dgemm_("N", "T", &kSolvedTogether, &below, &t.columns, &minus_one, w, &kSolvedTogether,
+         t.data + t.columns, &t.rows, &one, RowOf(w, t.columns).data(), &kSolvedTogether);
+}
+
+void SolveTogetherWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
+  if (HasFewNumbers(t)) return SolveTogetherWithFewTransposed(t, w);
+  const int below = t.rows - t.columns;
+  const double one = 1, minus_one = -1;
+  if (below > 0) {
+    dgemm_("N", "N", &kSolvedTogether, &t.columns, &below, &minus_one, RowOf(w, t.columns).data(),
+           &kSolvedTogether, t.data + t.columns, &t.rows, &one, w, &kSolvedTogether);
+  }
+  SolveColumnsTogether("N", t, w);
 }
 
 void Multiply(const ProductWithTransposed& p, double* result) {

@@ -23,6 +23,11 @@ bool FactorTrapezoidInParallel(const DenseTrapezoid& trapezoid);
 void SolveWithTrapezoid(const DenseTrapezoid& factored, double* w);
 void SolveWithTrapezoidTransposed(const DenseTrapezoid& factored, double* w);
 
+/// The same of so many right sides at once: w has their entries row by row, those of a row side by side.
+constexpr int kSolvedTogether = 8;
+void SolveTogetherWithTrapezoid(const DenseTrapezoid& factored, double* w);
+void SolveTogetherWithTrapezoidTransposed(const DenseTrapezoid& factored, double* w);
+
 /// The product left right', rows x columns, of dense matrices by columns: left has `rows` rows, right
 /// `columns`, both `inner` columns and the same leading dimension.
 struct ProductWithTransposed {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kBlockRows = 256;  ///< of a supernode in the top
 
+static_assert(SupernodeBlockNumbers::kTogether == kSolvedTogether);
+
 }  // namespace
 
 /// What one thread at a time works with.
@@ -59,6 +61,14 @@ void SupernodalFactorization::Solve(int s, double* w) const { SolveWithTrapezoid
 
 void SupernodalFactorization::SolveTransposed(int s, double* w) const {
   SolveWithTrapezoidTransposed(Numbers(s), w);
+}
+
+void SupernodalFactorization::SolveTogether(int s, double* w) const {
+  SolveTogetherWithTrapezoid(Numbers(s), w);
+}
+
+void SupernodalFactorization::SolveTogetherTransposed(int s, double* w) const {
+  SolveTogetherWithTrapezoidTransposed(Numbers(s), w);
 }
 
 void SupernodalFactorization::TakeDescendants(int s, std::vector<Descendant>* descendants) const {

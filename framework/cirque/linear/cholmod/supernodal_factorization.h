@@ -18,7 +18,7 @@ namespace cirque {
 /// 887", ACM Trans. Math. Softw. 35, 2008), but on all cores: the subtrees of the elimination tree
 /// at once, then the supernodes of the top one after another, each by blocks of rows. The result
 /// does not depend on the number of threads.
-class SupernodalFactorization final : public SupernodeNumbers {
+class SupernodalFactorization final : public SupernodeBlockNumbers {
  public:
   /// For matrices with the pattern of `lower`, of which `factor` is the analysis. The factor must
   /// outlive this.
@@ -30,6 +30,8 @@ class SupernodalFactorization final : public SupernodeNumbers {
 
   void Solve(int s, double* w) const override;
   void SolveTransposed(int s, double* w) const override;
+  void SolveTogether(int s, double* w) const override;
+  void SolveTogetherTransposed(int s, double* w) const override;
 
   const SupernodalTree& tree() const { return tree_; }
 

@@ -26,6 +26,17 @@ class SupernodeNumbers {
   virtual void SolveTransposed(int s, double* w) const = 0;
 };
 
+/// What solves of several right sides at once want besides.
+class SupernodeBlockNumbers : public SupernodeNumbers {
+ public:
+  static constexpr int kTogether = 8;
+
+  /// The same as Solve and SolveTransposed for so many right sides: w has their entries row by row,
+  /// those of a row side by side.
+  virtual void SolveTogether(int s, double* w) const = 0;
+  virtual void SolveTogetherTransposed(int s, double* w) const = 0;
+};
+
 /// Solves with a supernodal factor on all cores: subtrees of the elimination tree at once, the
 /// top after them going forward and before them going back. The result does not depend on the
 /// number of threads.
@@ -37,14 +48,25 @@ class SupernodalSolver {
   /// x = (L L')^-1 b, the unknowns in their order before that of the factor.
   void Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b, Eigen::VectorXd* x);
 
+  /// The same of every column of b, by so many at once as the numbers are for.
+  void SolveTogether(const SupernodeBlockNumbers& numbers, const Eigen::MatrixXd& b,
+                     Eigen::MatrixXd* x);
+
  private:
   /// Solves for the columns of s and takes them out of the rows below: out of x_, or of `far` by
   /// number where the row belongs to the top and s does not.
-  void Forward(const SupernodeNumbers& numbers, int s, double* far, Eigen::VectorXd* work);
-  void Backward(const SupernodeNumbers& numbers, int s, Eigen::VectorXd* work);
+  /// Of kWidth right sides, whose entries of a row lie side by side everywhere.
+  template <int kWidth, class Numbers>
+  void Forward(const Numbers& numbers, int s, double* far, Eigen::VectorXd* work);
+  template <int kWidth, class Numbers>
+  void Backward(const Numbers& numbers, int s, Eigen::VectorXd* work);
 
-  void ForwardAll(const SupernodeNumbers& numbers);
-  void BackwardAll(const SupernodeNumbers& numbers);
+  template <int kWidth, class Numbers>
+  void ForwardAll(const Numbers& numbers);
+  template <int kWidth, class Numbers>
+  void BackwardAll(const Numbers& numbers);
+
+  void MakeRoom(int width);
 
   const SupernodalTree& tree_;
   const int* order_;
