@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "cirque/cones/cone_choice.h"
+#include "cirque/cones/cone_fit.h"
 #include "cirque/cones/registry.h"
 
 #include "tests/common/renumbering.h"
@@ -54,6 +55,41 @@ TEST_P(ConeProblemOf, SolveInvertsTheLaplacian) {
   const Eigen::VectorXd residual = problem_.Laplacian() * u(inside) - b(inside);
   EXPECT_GT(u.norm(), 1e-3);
   EXPECT_LT(residual.lpNorm<Eigen::Infinity>(), 1e-10 * (1 + u.lpNorm<Eigen::Infinity>()));
+}
+
+TEST_P(ConeProblemOf, RespondsToUnitsAsSolveDoes) {
+  const auto& inside = problem_.candidates();
+  const std::vector<Index> vertices = {inside.front(), inside[inside.size() / 2], inside.back()};
+  for (int time = 0; time < 2; ++time) {  // solved for, then known
+    const auto responses = problem_.Responses(vertices);
+    ASSERT_EQ(responses.size(), vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Eigen::VectorXd u = problem_.Solve(Eigen::VectorXd::Unit(t_.num_vertices, vertices[i]));
+      EXPECT_GT(u.norm(), 1e-3);
+      EXPECT_LT((*responses[i] - u).lpNorm<Eigen::Infinity>(), 1e-12 * u.lpNorm<Eigen::Infinity>());
+    }
+  }
+}
+
+// Solved for together, cones have the curvatures that they have one by one, and moves come back.
+TEST_P(ConeProblemOf, PreparedConesAreThoseOneByOne) {
+  const auto& inside = problem_.candidates();
+  const auto fitted = [&](bool prepared) {
+    const ConeProblem problem(t_, lengths_);
+    ConeFit fit(problem);
+    if (prepared) fit.Prepare({inside[10], inside[20], inside[30], inside[40], inside[60]});
+    for (const int i : {10, 20, 30, 40, 50}) fit.Add(inside[i]);
+    fit.Move(2, inside[60]);
+    fit.FitZeroAtCones();
+    const Eigen::VectorXd moved = fit.curvature();
+    fit.Move(0, inside[70]);
+    fit.UndoMove();
+    EXPECT_EQ(fit.curvature(), moved);
+    return moved;
+  };
+  const Eigen::VectorXd prepared = fitted(true), one_by_one = fitted(false);
+  EXPECT_GT(one_by_one.norm(), 0.1);
+  EXPECT_LT((prepared - one_by_one).norm(), 1e-9 * one_by_one.norm());
 }
 
 TEST_P(ConeProblemOf, DoesNotDependOnScaleOrNumbering) {

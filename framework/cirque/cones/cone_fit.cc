@@ -31,6 +31,12 @@ bool ConeFit::AdaptMeasure() {
   return true;
 }
 
+void ConeFit::Prepare(const std::vector<Index>& vertices) {
+  const std::vector<ConeProblem::Response> responses = problem_.Responses(vertices);
+  prepared_.clear();
+  for (std::size_t i = 0; i < vertices.size(); ++i) prepared_[vertices[i]] = responses[i];
+}
+
 void ConeFit::Add(Index vertex) {
   const int n = size() + 1;
   vertices_.push_back(vertex);
@@ -62,10 +68,9 @@ void ConeFit::UndoMove() {
 }
 
 void ConeFit::SetResponse(int i, Index vertex) {
-  CHECK(problem_.IsCandidate(vertex)) << vertex;
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(problem_.triangulation().num_vertices);
-  unit[vertex] = 1;
-  response_[i] = problem_.Solve(unit);
+  const auto prepared = prepared_.find(vertex);
+  response_[i] =
+      prepared == prepared_.end() ? problem_.Responses({vertex}).front() : prepared->second;
   without_products_.push_back(i);
   ForgetValuesFrom(i);
 }
@@ -87,7 +92,7 @@ void ConeFit::MakeProducts() {
     const auto count = static_cast<Eigen::Index>(end - first);
     Eigen::MatrixXd weighted(num_vertices, count), rows = Eigen::MatrixXd::Zero(count, size());
     for (Eigen::Index p = 0; p < count; ++p) {
-      weighted.col(p) = measure_->Apply(response_[without_products_[first + p]]);
+      weighted.col(p) = measure_->Apply(*response_[without_products_[first + p]]);
       is_later[without_products_[first + p]] = false;
       linear_[without_products_[first + p]] = weighted.col(p).dot(without_cones_);
     }
@@ -96,7 +101,7 @@ void ConeFit::MakeProducts() {
       for (int j = 0; j < size(); ++j) {
         if (is_later[j]) continue;
         rows.col(j).noalias() +=
-            weighted.middleRows(at, length).transpose() * response_[j].segment(at, length);
+            weighted.middleRows(at, length).transpose() * response_[j]->segment(at, length);
       }
     }
     for (Eigen::Index p = 0; p < count; ++p) {
@@ -150,9 +155,9 @@ void ConeFit::FitZeroAtCones() {
 /// the first cone, and u counts from there.
 double ConeFit::ValueAtCone(Eigen::Index of, Eigen::Index at) const {
   const Index v = vertices_[at], first = vertices_[0];
-  const Eigen::VectorXd& response = response_[of];
+  const Eigen::VectorXd &response = *response_[of], &of_first = *response_[0];
   if (!problem_.IsClosed()) return response[v];
-  return response[v] - response_[0][v] - response[first] + response_[0][first];
+  return response[v] - of_first[v] - response[first] + of_first[first];
 }
 
 /// False where the matrix is not positive definite in floating point.
@@ -183,7 +188,7 @@ bool ConeFit::FitZeroByFactor() {
     const Index v = vertices_[i + skipped], first = vertices_[0];
     moved[i] = -without_cones_[v];
     if (!closed) continue;
-    moved[i] += without_cones_[first] - total * (response_[0][v] - response_[0][first]);
+    moved[i] += without_cones_[first] - total * ((*response_[0])[v] - (*response_[0])[first]);
   }
   values_factor_.triangularView<Eigen::Lower>().solveInPlace(moved);
   values_factor_.transpose().triangularView<Eigen::Upper>().solveInPlace(moved);
@@ -199,7 +204,7 @@ void ConeFit::FitZeroByElimination() {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n + closed);
   for (int i = 0; i < n; ++i) {
     right[i] = -without_cones_[vertices_[i]];
-    for (int j = 0; j < n; ++j) matrix(i, j) = response_[j][vertices_[i]];
+    for (int j = 0; j < n; ++j) matrix(i, j) = (*response_[j])[vertices_[i]];
   }
   if (closed) {
     matrix.row(n).head(n).setOnes();
@@ -216,7 +221,7 @@ Eigen::VectorXd ConeFit::LogScale() const {
     for (int i = 0; i < size(); ++i) curvature[vertices_[i]] += curvature_[i];
     return u + problem_.Solve(curvature);
   }
-  for (int i = 0; i < size(); ++i) u += curvature_[i] * response_[i];
+  for (int i = 0; i < size(); ++i) u += curvature_[i] * *response_[i];
   return u;
 }
 

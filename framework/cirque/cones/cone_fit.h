@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,10 @@ class ConeFit {
   /// g_c' M g_d: the Hessian of the measure's form 1/2 u' M u by the curvatures; of area distortion
   /// sum_v a_v g_c g_d.
   const Eigen::MatrixXd& Gram();
+
+  /// Solves ahead, and together, for what cones at these candidates do; until the next call, Add and Move
+  /// to one of them take no solve.
+  void Prepare(const std::vector<Index>& vertices);
 
   /// A cone more, of curvature 0. @pre a candidate of the problem.
   void Add(Index vertex);
@@ -82,17 +87,19 @@ class ConeFit {
   struct MoveRecord {
     int cone = 0;
     Index vertex = kNone;
-    Eigen::VectorXd response, curvature;
+    ConeProblem::Response response;
+    Eigen::VectorXd curvature;
     Eigen::VectorXd gram;  ///< of the cone with all
     double linear = 0;
   };
 
   const ConeProblem& problem_;
   const std::unique_ptr<ConeMeasure> measure_;
-  const Eigen::VectorXd without_cones_;
+  const Eigen::VectorXd& without_cones_;
   double constant_;  ///< u_0' M u_0
   std::vector<Index> vertices_;
-  std::vector<Eigen::VectorXd> response_;
+  std::vector<ConeProblem::Response> response_;
+  std::map<Index, ConeProblem::Response> prepared_;
   Eigen::MatrixXd gram_;    ///< products of the responses by M
   Eigen::VectorXd linear_;  ///< of the responses with u_0
   /// L L' = the responses' values at the cones, of a closed surface those of moving curvature there from

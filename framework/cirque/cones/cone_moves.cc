@@ -35,9 +35,12 @@ ConeMoves::ConeMoves(const ConeProblem& problem, const std::vector<Cone>& start,
       taken_(problem.triangulation().num_vertices, false),
       stride_(start.size(), FirstStride(max_sweeps)),
       resistance_(start.size(), 0) {
-  for (const Cone& cone : start) {
-    fit_.Add(cone.vertex);
-    taken_[cone.vertex] = true;
+  std::vector<Index> vertices;
+  for (const Cone& cone : start) vertices.push_back(cone.vertex);
+  fit_.Prepare(vertices);
+  for (const Index v : vertices) {
+    fit_.Add(v);
+    taken_[v] = true;
   }
 }
 
@@ -63,6 +66,7 @@ void ConeMoves::Adapt(int times) {
 bool ConeMoves::Sweep() {
   Adapt(kAdaptations);
   const Eigen::VectorXd slope = fit_.Descent();
+  PrepareProposals(slope);
   bool moving = false;
   for (int i = 0; i < fit_.size(); ++i) {
     if (stride_[i] == 0) continue;
@@ -73,19 +77,35 @@ bool ConeMoves::Sweep() {
   return moving;
 }
 
-bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
+/// Where cone i is to be tried; where it is, when it is to stay.
+Index ConeMoves::Proposal(int i, const Eigen::VectorXd& slope, int stride) const {
   const Index from = fit_.vertices()[i];
-  const Index to = Downhill(from, fit_.curvature()[i] * slope, stride);
+  const double curvature = fit_.curvature()[i];
+  const Index to = Downhill(from, curvature, slope, stride);
+  const double downhill = curvature * (slope[from] - slope[to]);
+  return resistance_[i] * stride * stride > downhill ? from : to;
+}
+
+/// What a sweep will try unless the moves before change it, solved for together.
+void ConeMoves::PrepareProposals(const Eigen::VectorXd& slope) {
+  std::vector<Index> proposals;
+  for (int i = 0; i < fit_.size(); ++i) {
+    const Index to = Proposal(i, slope, stride_[i]);
+    if (to != fit_.vertices()[i]) proposals.push_back(to);
+  }
+  fit_.Prepare(proposals);
+}
+
+bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
+  const Index from = fit_.vertices()[i], to = Proposal(i, slope, stride);
   if (to == from) return false;
   const double downhill = fit_.curvature()[i] * (slope[from] - slope[to]);
-  const double squared_stride = stride * stride;
-  if (resistance_[i] * squared_stride > downhill) return false;
   const double before = fit_.Distortion();
   fit_.Move(i, to);
   const bool fits = fit_.FitLeastSquares();
   const double after = fit_.Distortion();
   if (!fits || after > (1 - kLeastGain) * before) {
-    resistance_[i] = (downhill - 0.5 * (before * before - after * after)) / squared_stride;
+    resistance_[i] = (downhill - 0.5 * (before * before - after * after)) / (stride * stride);
     fit_.UndoMove();
     return false;
   }
@@ -95,15 +115,17 @@ bool ConeMoves::TryMove(int i, const Eigen::VectorXd& slope, int stride) {
   return true;
 }
 
-/// At most `steps` edges down the field, past no other cone.
-Index ConeMoves::Downhill(Index v, const Eigen::VectorXd& field, int steps) const {
+/// At most `steps` edges down curvature times slope, past no other cone.
+Index ConeMoves::Downhill(Index v, double curvature, const Eigen::VectorXd& slope,
+                          int steps) const {
   const Triangulation& t = problem_.triangulation();
   for (; steps > 0; --steps) {
     Index best = v;
     for (Index i = corners_at_.first[v]; i < corners_at_.first[v + 1]; ++i) {
       const Index h = corners_at_.item[i];
       for (const Index w : {t.Tail(h), t.Tip(h)}) {
-        if (!taken_[w] && problem_.IsCandidate(w) && field[w] < field[best]) best = w;
+        const bool lower = curvature * slope[w] < curvature * slope[best];
+        if (!taken_[w] && problem_.IsCandidate(w) && lower) best = w;
       }
     }
     if (best == v) break;

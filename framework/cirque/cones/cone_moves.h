@@ -35,8 +35,10 @@ class ConeMoves {
   std::vector<Cone> Cones() const { return fit_.Cones(); }
 
  private:
+  Index Proposal(int i, const Eigen::VectorXd& slope, int stride) const;
+  void PrepareProposals(const Eigen::VectorXd& slope);
   bool TryMove(int i, const Eigen::VectorXd& slope, int stride);
-  Index Downhill(Index v, const Eigen::VectorXd& field, int steps) const;
+  Index Downhill(Index v, double curvature, const Eigen::VectorXd& slope, int steps) const;
   std::vector<int> LeastMissed();
   std::vector<Index> BestPositions() const;
   bool TryPosition(int i, Index to, double before);

@@ -13,6 +13,8 @@
 namespace cirque {
 namespace {
 
+constexpr std::size_t kKeptNumbers = 4'000'000;  ///< of responses
+
 Eigen::VectorXd Curvatures(const Triangulation& t, const CornerAngles& angles,
                            const std::vector<bool>& boundary) {
   Eigen::VectorXd curvature = Eigen::VectorXd::Constant(t.num_vertices, 2 * kPi);
@@ -83,26 +85,73 @@ SparseMatrix ConeProblem::Laplacian() const {
   return lower.selfadjointView<Eigen::Lower>();
 }
 
-Eigen::VectorXd ConeProblem::Solve(const Eigen::VectorXd& b) const {
-  const auto num_unknowns = static_cast<Index>(candidates_.size());
+void ConeProblem::MakeFactor() const {
+  SparseMatrix lower = LowerLaplacian();
+  // The total of a compatible right side is 0, and u_0 then, too, whatever is added here.
+  if (closed_) lower.coeffRef(0, 0) += lower.coeff(0, 0);
+  factor_ = MakeCholesky();
+  CHECK(factor_->Factorize(lower)) << "the Laplacian is not positive definite";
+  if (closed_) factor_->Solve(area_(candidates_), &of_area_);
+}
+
+/// u of the factor's answer to a right side of this total: what is taken from that for it to be compatible
+/// is taken from the answer, for a right side of few entries takes half the time.
+Eigen::VectorXd ConeProblem::AtVertices(const Eigen::VectorXd& solution, double total) const {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(triangulation().num_vertices);
-  if (num_unknowns == 0) return u;
-  if (!factor_) {
-    SparseMatrix lower = LowerLaplacian();
-    // The total of a compatible right side is 0, and u_0 then, too, whatever is added here.
-    if (closed_) lower.coeffRef(0, 0) += lower.coeff(0, 0);
-    factor_ = MakeCholesky();
-    CHECK(factor_->Factorize(lower)) << "the Laplacian is not positive definite";
-  }
-  const double total = closed_ ? b.sum() : 0;
-  Eigen::VectorXd right(num_unknowns);
-  for (Index i = 0; i < num_unknowns; ++i) {
-    right[i] = b[candidates_[i]] - total * area_[candidates_[i]];
-  }
-  const Eigen::VectorXd solution = factor_->Solve(right);
-  for (Index i = 0; i < num_unknowns; ++i) u[candidates_[i]] = solution[i];
-  if (closed_) u.array() -= area_.dot(u);
+  u(candidates_) = solution;
+  if (!closed_) return u;
+  u(candidates_) -= total * of_area_;
+  u.array() -= area_.dot(u);
   return u;
+}
+
+Eigen::VectorXd ConeProblem::Solve(const Eigen::VectorXd& b) const {
+  if (candidates_.empty()) return Eigen::VectorXd::Zero(triangulation().num_vertices);
+  if (!factor_) MakeFactor();
+  return AtVertices(factor_->Solve(b(candidates_)), b.sum());
+}
+
+const Eigen::VectorXd& ConeProblem::LogScaleWithoutCones() const {
+  if (without_cones_.size() == 0) without_cones_ = Solve(-curvature_);
+  return without_cones_;
+}
+
+std::vector<ConeProblem::Response> ConeProblem::SolveForUnits(
+    const std::vector<Index>& vertices) const {
+  if (vertices.empty()) return {};
+  if (!factor_) MakeFactor();
+  const auto count = static_cast<Eigen::Index>(vertices.size());
+  Eigen::MatrixXd units =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(candidates_.size()), count);
+  for (Eigen::Index i = 0; i < count; ++i) units(number_[vertices[i]], i) = 1;
+  Eigen::MatrixXd solutions;
+  factor_->SolveTogether(units, &solutions);
+  std::vector<Response> responses;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    responses.push_back(std::make_shared<const Eigen::VectorXd>(AtVertices(solutions.col(i), 1)));
+  }
+  return responses;
+}
+
+std::vector<ConeProblem::Response> ConeProblem::Responses(
+    const std::vector<Index>& vertices) const {
+  std::vector<Index> missing;
+  for (const Index v : vertices) {
+    CHECK(IsCandidate(v)) << v;
+    if (!kept_responses_.contains(v)) missing.push_back(v);
+  }
+  const std::vector<Response> solved = SolveForUnits(missing);
+  const std::size_t most = kKeptNumbers / triangulation().num_vertices;
+  std::vector<Response> responses;
+  auto next = solved.begin();
+  for (const Index v : vertices) {
+    const auto kept = kept_responses_.find(v);
+    responses.push_back(kept == kept_responses_.end() ? *next++ : kept->second);
+  }
+  for (std::size_t i = 0; i < missing.size() && kept_responses_.size() < most; ++i) {
+    kept_responses_.emplace(missing[i], solved[i]);
+  }
+  return responses;
 }
 
 double AreaNorm(const ConeProblem& problem, const Eigen::VectorXd& u) {

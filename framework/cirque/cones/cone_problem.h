@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -70,14 +71,24 @@ class ConeProblem {
   /// first call.
   Eigen::VectorXd Solve(const Eigen::VectorXd& b) const;
 
-  /// u for no cones: of -K, made compatible as Solve does.
-  Eigen::VectorXd LogScaleWithoutCones() const { return Solve(-curvature_); }
+  /// u for no cones: of -K, made compatible as Solve does. Solved for once.
+  const Eigen::VectorXd& LogScaleWithoutCones() const;
+
+  /// What a unit of curvature at a vertex adds to u, V: Solve() of the unit vector, to rounding.
+  using Response = std::shared_ptr<const Eigen::VectorXd>;
+
+  /// Those of several candidates, solved for together. One heuristic begins where another has been,
+  /// or asks again with more cones: those asked for first are kept, as many as take 32 MB.
+  std::vector<Response> Responses(const std::vector<Index>& vertices) const;
 
   /// All of L at the candidates, numbered as `candidates()`.
   SparseMatrix Laplacian() const;
 
  private:
   SparseMatrix LowerLaplacian() const;
+  void MakeFactor() const;
+  Eigen::VectorXd AtVertices(const Eigen::VectorXd& solution, double total) const;
+  std::vector<Response> SolveForUnits(const std::vector<Index>& vertices) const;
 
   IntrinsicSurface surface_;
   ConeSource source_;
@@ -86,6 +97,9 @@ class ConeProblem {
   std::vector<Index> corners_, candidates_, number_;
   Eigen::VectorXd curvature_, area_;
   mutable std::unique_ptr<SparseCholesky> factor_;
+  mutable Eigen::VectorXd of_area_;  ///< the factor's answer to the areas of the candidates
+  mutable Eigen::VectorXd without_cones_;
+  mutable std::map<Index, Response> kept_responses_;
 };
 
 /// sqrt(sum_v a_v u_v^2) with the areas of total 1.
