@@ -26,7 +26,7 @@ AngleMeasure::AngleMeasure(const ConeProblem& problem)
     : triangulation_(problem.source().surface->triangulation),
       area_(triangulation_.num_faces()),
       side_(triangulation_.num_halfedges()),
-      weight_(Eigen::VectorXd::Ones(triangulation_.num_faces())) {
+      stiffness_(triangulation_.num_edges()) {
   const Eigen::VectorXd& length = problem.source().surface->lengths.value;
   for (Index f = 0; f < triangulation_.num_faces(); ++f) {
     std::array<double, 3> l;
@@ -43,27 +43,39 @@ AngleMeasure::AngleMeasure(const ConeProblem& problem)
     }
   }
   area_ /= area_.sum();
+  for (const Index h : triangulation_.edge_halfedge) {
+    ends_.push_back({triangulation_.Tail(h), triangulation_.Tip(h)});
+  }
+  SetStiffness([](Index /*f*/) { return 1.0; });
+}
+
+/// `weight`: of the faces in the form.
+template <class Weight>
+void AngleMeasure::SetStiffness(const Weight& weight) {
+  stiffness_.setZero();
+  for (Index f = 0; f < triangulation_.num_faces(); ++f) {
+    const double of_face = weight(f) * area_[f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      stiffness_[triangulation_.edge[h]] += of_face * side_[h];
+    }
+  }
 }
 
 double AngleMeasure::Predicted(Index f, const Eigen::VectorXd& u) const {
-  double squared = 0;
-  for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-    squared += side_[h] * Squared(u[triangulation_.Tip(h)] - u[triangulation_.Tail(h)]);
-  }
+  const Index* vertex = triangulation_.vertex.data() + 3 * f;
+  const double *side = side_.data() + 3 * f, a = u[vertex[0]], b = u[vertex[1]], c = u[vertex[2]];
+  const double squared =
+      side[0] * Squared(c - b) + side[1] * Squared(a - c) + side[2] * Squared(b - a);
   return std::sqrt(std::max(squared, 0.0));
 }
 
 Eigen::VectorXd AngleMeasure::Apply(const Eigen::VectorXd& u) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(u.size());
-  for (Index f = 0; f < triangulation_.num_faces(); ++f) {
-    const Index* vertex = triangulation_.vertex.data() + 3 * f;
-    const double at[] = {u[vertex[0]], u[vertex[1]], u[vertex[2]]}, weight = weight_[f] * area_[f];
-    for (int i = 0; i < 3; ++i) {
-      const int tail = (i + 1) % 3, tip = (i + 2) % 3;
-      const double flow = weight * side_[3 * f + i] * (at[tip] - at[tail]);
-      result[vertex[tip]] += flow;
-      result[vertex[tail]] -= flow;
-    }
+  for (std::size_t e = 0; e < ends_.size(); ++e) {
+    const auto [tail, tip] = ends_[e];
+    const double flow = stiffness_[static_cast<Index>(e)] * (u[tip] - u[tail]);
+    result[tip] += flow;
+    result[tail] -= flow;
   }
   return result;
 }
@@ -86,9 +98,8 @@ Eigen::VectorXd AngleMeasure::Shares(const Eigen::VectorXd& u) const {
 bool AngleMeasure::AdaptTo(const Eigen::VectorXd& u) {
   if (delta_ == 0) delta_ = kSmoothing * Value(u);
   if (delta_ == 0) return false;
-  for (Index f = 0; f < triangulation_.num_faces(); ++f) {
-    weight_[f] = 1 / std::hypot(Predicted(f, u), delta_);
-  }
+  const double squared_delta = Squared(delta_);
+  SetStiffness([&](Index f) { return 1 / std::sqrt(Squared(Predicted(f, u)) + squared_delta); });
   return true;
 }
 

@@ -73,11 +73,14 @@ class AngleMeasure final : public ConeMeasure {
 
  private:
   double Predicted(Index f, const Eigen::VectorXd& u) const;
+  template <class Weight>
+  void SetStiffness(const Weight& weight);
 
   const Triangulation& triangulation_;
-  Eigen::VectorXd area_;    ///< F, total 1
-  Eigen::VectorXd side_;    ///< 3F: of (R |grad u|)^2 by squared differences along the sides
-  Eigen::VectorXd weight_;  ///< F
+  Eigen::VectorXd area_;       ///< F, total 1
+  Eigen::VectorXd side_;       ///< 3F: of (R |grad u|)^2 by squared differences along the sides
+  Eigen::VectorXd stiffness_;  ///< E: of the form, by squared differences along the edges
+  std::vector<std::array<Index, 2>> ends_;  ///< E: the edges'
   double delta_ = 0;
 };
 
