@@ -24,6 +24,10 @@ constexpr int kManyUnknowns = 50'000;
 /// million triangles are mapped in 19.8 GiB, with AMD not in 21; 8.7 million took half as long again.
 constexpr Eigen::Index kToBeDissected = 8'000'000;
 
+/// From so many operations an entry of the factor on, supernodes take less time; CHOLMOD's own, for which
+/// it waits until 40, are slower.
+constexpr double kSupernodal = 30;
+
 /// Of a factor, for n unknowns on a surface, as multiples of n log2(n): 2.4 to 5 were measured from
 /// kManyUnknowns on.
 constexpr double kLeastNumbers = 2.4;
@@ -62,6 +66,7 @@ class CholmodCholesky final : public SparseCholesky {
     cholmod_start(&common_);
     common_.print = 0;
     common_.nmethods = 1;
+    common_.supernodal_switch = kSupernodal;
     common_.postorder = 1;
     common_.final_ll = 1;
     common_.quick_return_if_not_posdef = 1;
