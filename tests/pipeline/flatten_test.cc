@@ -47,6 +47,21 @@ double Area(const Triangulation& t, const EdgeLengths& lengths) {
   return area;
 }
 
+TEST(Flatten, WhereTheDualHasWanderedTheInputsOwnTrianglesAreFittedFirst) {
+  const Case c(GeneratedSurface("bumpy_terrain", 600));
+  const ConeTargets targets = *DefaultTargets(c.surface);
+  const IntrinsicSurface surface = c.Measured();
+  for (const bool wandered : {false, true}) {
+    FlatSurface flat;
+    Certificate certificate;
+    const FlattenJob job = {surface, targets, {}, {}, nullptr, nullptr, wandered};
+    ASSERT_TRUE(Flatten(job, &certificate, &flat).ok());
+    EXPECT_EQ(flat.intrinsic.flips.empty(), wandered);
+    EXPECT_EQ(certificate.angle_fit->solver == "interior_point", wandered);
+    EXPECT_TRUE(flat.on_input.flipped.empty());
+  }
+}
+
 TEST(Flatten, TheFlatMetricObeysGaussBonnetAndItsTargets) {
   for (const char* name : {"bumpy_terrain", "blob", "torus", "double_torus", "annulus"}) {
     SCOPED_TRACE(name);

@@ -142,6 +142,23 @@ TEST_F(Ladder, RadiiThatDoNotConvergeGetMoreIterationsUnlessTheLimitIsTheUsers) 
   EXPECT_EQ(Climb(limited, slow).code(), StatusCode::kNotConverged);
 }
 
+// Where the surface is curved its own angles are nearly coherent.
+TEST_F(Ladder, RoadsAfterOneOnWhichTheDualWanderedKnowIt) {
+  for (const bool wandered : {false, true}) {
+    taken_.clear();
+    Climb({}, [&](const Road&, Parameterization* map) {
+      if (wandered && taken_.size() == 2) Fill(&map->certificate.angle_fit).angle_fit_retried = 1;
+      return Unrepresentable();
+    }).ok();
+    ASSERT_GT(taken_.size(), 4u);
+    EXPECT_TRUE(IsConedWhereCurved(taken_[taken_.size() - 2]));
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      const bool knows = wandered && i > 1 && !IsConedWhereCurved(taken_[i]);
+      EXPECT_EQ(taken_[i].dual_wandered, knows) << i << taken_[i].options.cones;
+    }
+  }
+}
+
 TEST_F(Ladder, ACutThatIsGivenGetsNoCones) {
   cut_given_ = true;
   Climb({}, [](const Road&, Parameterization*) { return Unrepresentable(); }).ok();

@@ -30,6 +30,7 @@ struct ParameterizeJob {
   const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
   bool targets_given = false;                              ///< the angle sums are the caller's own
   const std::function<Status(SolvedLayout*)>* place_exact = nullptr;  ///< null: it stays
+  bool dual_wandered = false;                                         ///< as in FlattenJob
   /// Faces to be laid out each by itself, and others where doubles do not hold them about one origin
   /// (LayOutAboutSeveralOrigins); null: all about one.
   const std::vector<Index>* alone = nullptr;

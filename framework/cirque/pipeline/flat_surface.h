@@ -59,6 +59,9 @@ struct FlattenJob {
   const std::vector<bool>* locked = nullptr;
   /// Along loops of the surface's triangulation; null: any.
   const PrescribedRotations* rotations = nullptr;
+  /// With targets before these the dual wandered, and the interior point decided on the surface's own
+  /// triangles: it is tried there first.
+  bool dual_wandered = false;
 };
 
 }  // namespace cirque

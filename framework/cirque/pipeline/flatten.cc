@@ -68,6 +68,10 @@ class Flattening {
     result_.exact.reset();
     if (Status s = CheckTargets(job_.surface, targets_, &result_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == SolvedTriangulation::kInput) return SolveAsAsked();
+    if (job_.dual_wandered && SolverIsFree() && InteriorPointIsCheap(input_)) {
+      const Status status = SolveOnInput(FitStart::kAfterWandering);
+      if (status.code() != StatusCode::kNotConverged) return status;
+    }
     std::vector<bool> locked(input_.num_edges(), false);
     if (job_.locked) locked = *job_.locked;
     flips_.delaunay_rounds = 0;
@@ -120,8 +124,10 @@ class Flattening {
   /// Whether the dual found neither angles nor a proof: with angles it was the radii that failed.
   bool Wandered(const Status& status) const {
     return status.code() == StatusCode::kNotConverged && result_.multipliers.size() == 0 &&
-           options_.angle_solver == ParameterizeOptions().angle_solver;
+           SolverIsFree();
   }
+
+  bool SolverIsFree() const { return options_.angle_solver == ParameterizeOptions().angle_solver; }
 
   FitStart Begin() const {
     return rounds_solved_ > 0 || has_start_ ? FitStart::kMultipliers : FitStart::kZero;

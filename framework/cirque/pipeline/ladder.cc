@@ -45,6 +45,8 @@ class Climb {
     const Timer timer;
     taken->status = take_(road, &taken->map);
     taken->map.certificate.cone_repair = road.repair;
+    const std::optional<AngleFitSummary>& fit = taken->map.certificate.angle_fit;
+    dual_wandered_ = dual_wandered_ || (fit && fit->angle_fit_retried);
     keeper_.Note(name, timer.Seconds(), taken.get());
     return taken;
   }
@@ -53,6 +55,8 @@ class Climb {
   std::shared_ptr<Taken> TakeRung(const Rung& rung, const EndedRoad& last) {
     Road next = last.road;
     if (!rung.applies(last) || !rung.change(last, rung.number, &next)) return nullptr;
+    // Angles near the surface's own are the dual's again.
+    next.dual_wandered = dual_wandered_ && !IsConedWhereCurved(next);
     std::shared_ptr<Taken> taken = Take(next, rung.name);
     keeper_.CountRung();
     if (taken->status.code() == StatusCode::kCancelled) keeper_.Keep(taken);
@@ -121,6 +125,7 @@ class Climb {
   const LadderStart& start_;
   const TakeARoad& take_;
   std::shared_ptr<Taken> last_;  ///< that led somewhere
+  bool dual_wandered_ = false;   ///< on some road
   RoadKeeper<Taken> keeper_;
 };
 

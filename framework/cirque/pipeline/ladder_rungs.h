@@ -20,6 +20,7 @@ struct Road {
   ParameterizeOptions options = {};
   std::optional<ConeTargets> targets = {};       ///< nothing: as the options place them
   std::optional<ConeRepairSummary> repair = {};  ///< what was done to the cones of a road before
+  bool dual_wandered = false;                    ///< on a road before (FlattenJob)
 };
 
 /// Where the ladder stands.

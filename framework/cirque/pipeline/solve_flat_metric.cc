@@ -185,7 +185,7 @@ class FlatMetricSolve {
   Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
              AngleFitResult* fit) {
     Status status;
-    const bool at_once = start_ == FitStart::kAfterWandering && InteriorPointIsCheap() &&
+    const bool at_once = start_ == FitStart::kAfterWandering && InteriorPointIsCheap(t()) &&
                          !objective->MeasuresTheta();
     if (at_once && Decides(problem, objective, fit, &status)) return status;
     status = FitAsAsked(problem, objective, fit);
@@ -193,8 +193,6 @@ class FlatMetricSolve {
     if (undecided && result_.intrinsic.flips.empty()) Decides(problem, objective, fit, &status);
     return status;
   }
-
-  bool InteriorPointIsCheap() const { return t().num_faces() <= kFewFaces; }
 
   Status FitAsAsked(const AngleFitProblem& problem,
                     const std::shared_ptr<const AngleObjective>& objective, AngleFitResult* fit) {
@@ -208,7 +206,7 @@ class FlatMetricSolve {
     SolveControl control = job_.control;
     if (options_.angle_solver != ParameterizeOptions().angle_solver) return control;
     control.callback = [asked = job_.control.callback,
-                        watch = WanderingWatch(InteriorPointIsCheap())](
+                        watch = WanderingWatch(InteriorPointIsCheap(t()))](
                            const IterationRecord& step, const Eigen::VectorXd& y) mutable {
       if (asked && asked(step, y) == CallbackAction::kStop) return CallbackAction::kStop;
       return watch.Wanders(step) ? CallbackAction::kStop : CallbackAction::kContinue;
@@ -294,6 +292,8 @@ class FlatMetricSolve {
 };
 
 }  // namespace
+
+bool InteriorPointIsCheap(const Triangulation& t) { return t.num_faces() <= kFewFaces; }
 
 Status SolveFlatMetric(const FlattenJob& job, FitStart start, Certificate* certificate,
                        FlatSurface* result) {

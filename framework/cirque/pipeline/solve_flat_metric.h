@@ -23,4 +23,7 @@ enum class FitStart {
 Status SolveFlatMetric(const FlattenJob& job, FitStart start, Certificate* certificate,
                        FlatSurface* result);
 
+/// Whether a step of the interior point costs less than one of the dual.
+bool InteriorPointIsCheap(const Triangulation& triangulation);
+
 }  // namespace cirque
