@@ -7,17 +7,31 @@ namespace {
 
 constexpr double kLn2High = 0x1.62e42fefa39efp-1, kLn2Middle = 0x1.abc9e3b39803fp-56,
                  kLn2Low = 0x1.7b57a079a1934p-111;
-constexpr int kHalvings = 9, kTerms = 14;
+constexpr int kHalvings = 9;
 constexpr double kNegligible = 75;  ///< e^-75 in a double is right to 1e-48
+
+/// Taylor's coefficients, of which the further ones need one double's digits at |x| < 7e-4.
+constexpr TripleDouble kCoefficients[] = {
+    {0x1.71de3a556c734p-19, -0x1.c154f8ddc6c00p-73, 0x1.71de3a556c734p-127},   // 1 / 9!
+    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76, 0x1.a01a01a01a01ap-136},    // 1 / 8!
+    {0x1.a01a01a01a01ap-13, 0x1.a01a01a01a01ap-73, 0x1.a01a01a01a01ap-133},    // 1 / 7!
+    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65, -0x1.27d27d27d27d2p-119},  // 1 / 6!
+    {0x1.1111111111111p-7, 0x1.1111111111111p-63, 0x1.1111111111111p-119},     // 1 / 5!
+    {0x1.5555555555555p-5, 0x1.5555555555555p-59, 0x1.5555555555555p-113},     // 1 / 4!
+    {0x1.5555555555555p-3, 0x1.5555555555555p-57, 0x1.5555555555555p-111},     // 1 / 3!
+    {0x1.0000000000000p-1, 0, 0},                                              // 1 / 2!
+};
+constexpr double kFurther[] = {1.0 / 87178291200, 1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800,
+                               1.0 / 3628800};  ///< 1 / 14!, ..., 1 / 10!
 
 /// e^x - 1 for |x| <= ln(2) / 2: by Taylor's series at x / 512 and (1 + s)^2 - 1 = s (2 + s).
 TripleDouble Expm1Reduced(TripleDouble x) {
   for (int i = 0; i < kHalvings; ++i) x = Half(x);
-  TripleDouble sum = x, term = x;
-  for (int k = 2; k <= kTerms; ++k) {
-    term = term * x / TripleDouble(k);
-    sum = sum + term;
-  }
+  double further = 0;
+  for (const double coefficient : kFurther) further = further * x.high + coefficient;
+  TripleDouble sum = further;
+  for (const TripleDouble& coefficient : kCoefficients) sum = sum * x + coefficient;
+  sum = sum * x * x + x;
   for (int i = 0; i < kHalvings; ++i) sum = sum * (TripleDouble(2) + sum);
   return sum;
 }

@@ -10,10 +10,10 @@ namespace cirque {
 struct TripleDouble {
   double high = 0, middle = 0, low = 0;
 
-  TripleDouble() = default;
-  TripleDouble(double value) : high(value) {}  // NOLINT: doubles are such numbers
+  constexpr TripleDouble() = default;
+  constexpr TripleDouble(double value) : high(value) {}  // NOLINT: doubles are such numbers
   /// Of parts as they are.
-  TripleDouble(double of_high, double of_middle, double of_low)
+  constexpr TripleDouble(double of_high, double of_middle, double of_low)
       : high(of_high), middle(of_middle), low(of_low) {}
 
   double Value() const { return high + (middle + low); }
@@ -56,7 +56,10 @@ inline TripleDouble Half(const TripleDouble& a) {
   return {0.5 * a.high, 0.5 * a.middle, 0.5 * a.low};
 }
 
-inline bool operator<(const TripleDouble& a, const TripleDouble& b) { return (a - b).high < 0; }
+inline bool operator<(const TripleDouble& a, const TripleDouble& b) {
+  if (a.high != b.high) return a.high < b.high;
+  return a.middle < b.middle || (a.middle == b.middle && a.low < b.low);
+}
 
 /// e^x and e^x - 1, relatively. @pre neither they nor x are beyond a double's range.
 TripleDouble Exp(const TripleDouble& x);
