@@ -129,7 +129,8 @@ constexpr CertificateRow kRows[] = {
     {"exact_seam_length_mismatch", kExact, "", "largest mismatch of seam lengths of the exact map",
      ReadMember<&C::exact_map, &ExactMapSummary::exact_seam_length_mismatch>},
     {"exact_origins", kExact, "",
-     "patches of the exact map, each about an origin of its own, since doubles do not hold it about one",
+     "patches of the exact map, each about an origin of its own, since doubles do not hold it "
+     "about one",
      ReadMember<&C::exact_map, &ExactMapSummary::exact_origins>},
     {"exact_strip_period", kExact, "", "exact period along x of the exact map to a strip",
      ReadMember<&C::exact_map, &ExactMapSummary::exact_strip_period>},
