@@ -1,6 +1,8 @@
 // What ranks do to distributed rows before multigrid has them.
 #include "cirque/linear/local_elimination.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "cirque/linear/rank_solver.h"
@@ -67,14 +69,21 @@ TEST(LocalElimination, SolvesWithTheWholeMatrix) {
   });
 }
 
-TEST(LocalElimination, ComplementKeepsWhatCouplesToOtherRanks) {
-  // A chain 0 - 1 - ... of two ranks: every other unknown goes, those at the border stay.
-  SparseMatrix chain(8, 8);
-  for (int i = 0; i < 8; ++i) {
+/// The lower triangle of a chain 0 - 1 - ... with these couplings, 4 on the diagonal.
+SparseMatrix Chain(const std::vector<double>& couplings) {
+  const int n = static_cast<int>(couplings.size()) + 1;
+  SparseMatrix chain(n, n);
+  for (int i = 0; i < n; ++i) {
     chain.insert(i, i) = 4;
-    if (i + 1 < 8) chain.insert(i + 1, i) = -1;
+    if (i + 1 < n) chain.insert(i + 1, i) = couplings[i];
   }
   chain.makeCompressed();
+  return chain;
+}
+
+TEST(LocalElimination, ComplementKeepsWhatCouplesToOtherRanks) {
+  // On two ranks every other unknown goes, those at the border stay.
+  const SparseMatrix chain = Chain({-1, -1, -1, -1, -1, -1, -1});
   RunOnThreadRanks(2, [&](Ranks& ranks) {
     const Share share(chain, ranks);
     const Halo halo(&ranks, share.unknowns);
@@ -92,23 +101,22 @@ TEST(LocalElimination, ComplementKeepsWhatCouplesToOtherRanks) {
 
 TEST(LocalElimination, APositiveBorderCouplingChangesSign) {
   // 1 couples to 0 and, on the other rank, to 2: positively, as triangles to their vertices.
-  SparseMatrix chain(4, 4);
-  for (int i = 0; i < 4; ++i) {
-    chain.insert(i, i) = 4;
-    if (i + 1 < 4) chain.insert(i + 1, i) = i == 0 || i == 1 ? 1 : -1;
-  }
-  chain.makeCompressed();
+  const SparseMatrix chain = Chain({1, 1, -1});
   RunOnThreadRanks(2, [&](Ranks& ranks) {
     const Share share(chain, ranks);
     const Halo halo(&ranks, share.unknowns);
     LocalElimination elimination(share.rows, halo);
     ASSERT_TRUE(elimination.SetValues(share.rows, halo));
     const MatrixRows rows = elimination.Complement(share.rows);
+    EXPECT_GT(rows.num_rows(), 0);
     for (int i = 0; i < rows.num_rows(); ++i) {
+      int diagonals = 0;
       for (int k = rows.start[i]; k < rows.start[i + 1]; ++k) {
         const bool is_diagonal = rows.value[k] > 2;
         EXPECT_EQ(rows.value[k] > 0, is_diagonal);
+        diagonals += is_diagonal;
       }
+      EXPECT_EQ(diagonals, 1);
     }
   });
 }
