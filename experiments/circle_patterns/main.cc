@@ -1,5 +1,8 @@
 // The thesis's program: a triangle mesh in, its conformal map out.
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 #include "cirque/core/parallel.h"
 #include "cirque/core/text.h"
@@ -26,6 +29,15 @@ int Conclude(const Status& status) {
   return ExitStatus(status.code());
 }
 
+/// Whether the input, a file, has at most some 200,000 triangles. (A pipe may have any number.)
+bool IsSmall(const CirclePatternsJob& job) {
+  constexpr std::uintmax_t kSmallFile = 16 << 20;
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(
+      job.input_con.empty() ? job.input : job.input_con, none);  // an error's is the largest
+  return size <= kSmallFile;
+}
+
 Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {
   return job.input_con.empty() ? RunOnMesh(job, control, report)
                                : RunOnMetric(job, control, report);
@@ -49,6 +61,7 @@ int Main(int argc, char** argv) {
   const int threads = flags.settings().threads;
   const ThreadLimit limit(ReserveBlasBuffers(threads > 0 ? threads : ThreadsByEnvironment()));
   CatchInterrupts();
+  if (IsSmall(*job)) KeepSmallHeap();
   const bool quiet = flags.settings().quiet;
   SolveProgress progress(quiet ? nullptr : stderr);
   std::ostream& out = job->output == "/dev/stdout" ? std::cerr : std::cout;

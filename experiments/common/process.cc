@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -12,13 +13,49 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <sys/mman.h>
 #endif
 
 namespace cirque {
+namespace {
+
+#ifdef __GLIBC__
+
+constexpr int kMiB = 1 << 20;
+constexpr std::uintptr_t kHugePage = 2 * kMiB;
+
+std::uintptr_t HeapEnd() { return reinterpret_cast<std::uintptr_t>(sbrk(0)); }
+
+/// Lets the heap, in which allocations lie up to the largest, have that much more address space at once,
+/// in huge pages where the system offers them. It takes memory as it is touched.
+void GrowHeap(int bytes, int largest) {
+  const std::uintptr_t before = HeapEnd();
+  mallopt(M_TOP_PAD, bytes);
+  // Nothing free has room for it. (Volatile, or a compiler leaves both calls out.)
+  void* volatile first = std::malloc(largest - kMiB);
+  std::free(first);
+  mallopt(M_TOP_PAD, kMiB / 8);
+  const std::uintptr_t begin = (before / kHugePage + 1) * kHugePage;
+  const std::uintptr_t end = HeapEnd() / kHugePage * kHugePage;
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+
+#endif
+
+}  // namespace
 
 void UseOneHeap() {
 #ifdef __GLIBC__
   mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
+void KeepSmallHeap() {
+#ifdef __GLIBC__
+  constexpr int kLargest = 4 * kMiB, kKept = 64 * kMiB;
+  mallopt(M_MMAP_THRESHOLD, kLargest);
+  mallopt(M_TRIM_THRESHOLD, kKept);
+  GrowHeap(kKept, kLargest);
 #endif
 }
 

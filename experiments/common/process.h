@@ -11,6 +11,11 @@ namespace cirque {
 /// the peak. Our threads allocate little while they run, so nothing waits.
 void UseOneHeap();
 
+/// For a run that takes at most some 200 MiB: the heap begins on huge pages, and what is freed stays in
+/// it. Faults of pages take up to a tenth of such a run otherwise. (More would be kept of a large one
+/// than it may have.)
+void KeepSmallHeap();
+
 /// From here on the first Ctrl-C (or SIGTERM) asks to stop. Where that has not been heard within
 /// kInterruptSeconds, as in a long factorization, or at a second signal, the process ends as it is,
 /// with the exit status of kCancelled: files are written whole or not at all (core/atomic_file.h).

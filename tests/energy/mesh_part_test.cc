@@ -80,7 +80,7 @@ class MeshPartTest : public ::testing::Test {
 };
 
 TEST_F(MeshPartTest, EveryParameterHasOneOwner) {
-  const MeshParts parts(t(), dual_.source()->VertexParameters(), kRanks);
+  const MeshPartition parts(t(), dual_.source()->VertexParameters(), kRanks);
   std::vector<int> owners(dual_.NumParameters(), 0), by_number(dual_.NumParameters(), kNone);
   for (int r = 0; r < kRanks; ++r) {
     const MeshPart part = parts.Part(r);
@@ -101,14 +101,14 @@ TEST_F(MeshPartTest, EveryParameterHasOneOwner) {
 TEST_F(MeshPartTest, BordersAreShortWhateverTheNumbersOfTheFaces) {
   const Renumbering shuffled = Renumber(GeneratedSurface("bumpy_terrain", 2000).triangulation, 7);
   const Triangulation& many = shuffled.triangulation;
-  const MeshParts parts(many, {}, kRanks);
+  const MeshPartition parts(many, {}, kRanks);
   for (int r = 0; r < kRanks; ++r) {
     EXPECT_LT(parts.Part(r).face.size(), many.num_faces() / kRanks + 150);
   }
 }
 
 TEST_F(MeshPartTest, OwnersAssembleTheRowsOfTheWhole) {
-  const MeshParts of_faces(t(), {}, kRanks),
+  const MeshPartition of_faces(t(), {}, kRanks),
       of_all(t(), dual_.source()->VertexParameters(), kRanks);
   for (int r = 0; r < kRanks; ++r) {
     EXPECT_EQ(RowsThatDiffer(pattern_, pattern_source_, of_faces.Part(r), r), 0);
@@ -117,7 +117,7 @@ TEST_F(MeshPartTest, OwnersAssembleTheRowsOfTheWhole) {
 }
 
 TEST_F(MeshPartTest, AWrongOwnerIsNoticed) {
-  MeshPart part = MeshParts(t(), dual_.source()->VertexParameters(), kRanks).Part(1);
+  MeshPart part = MeshPartition(t(), dual_.source()->VertexParameters(), kRanks).Part(1);
   // The outermost faces and vertices, told to be the rank's own, lack what lies beyond.
   for (int& number : part.number) {
     const bool is_own = number >= part.first[1] && number < part.first[2];

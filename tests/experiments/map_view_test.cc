@@ -30,7 +30,7 @@ using ::testing::Not;
 
 using Pixel = std::array<int, 4>;
 
-Pixel At(const Image& image, int x, int y) {
+Pixel At(const RgbaImage& image, int x, int y) {
   const std::uint8_t* p = &image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)];
   return {p[0], p[1], p[2], p[3]};
 }
@@ -44,9 +44,9 @@ std::uint32_t Number(const std::string& bytes, std::size_t at) {
 }
 
 /// Reads what EncodePng writes, every checksum verified.
-Image DecodePng(const std::string& png) {
+RgbaImage DecodePng(const std::string& png) {
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
-  Image image;
+  RgbaImage image;
   std::string rows;
   for (std::size_t at = 8; at < png.size();) {
     const std::uint32_t length = Number(png, at);
@@ -91,7 +91,7 @@ TEST(Raster, EdgesAreSmoothAndNearThingsHideFarOnes) {
                   [&](const Eigen::Vector3d&) { return red; });
   raster.Triangle({{{6, 0, 2}, {10, 0, 2}, {6, 4, 2}}},
                   [&](const Eigen::Vector3d&) { return blue; });
-  const Image image = raster.Finish();
+  const RgbaImage image = raster.Finish();
   EXPECT_EQ(At(image, 1, 1), (Pixel{255, 0, 0, 255}));
   EXPECT_EQ(At(image, 5, 1), (Pixel{0, 0, 0, 0}));
   EXPECT_EQ(At(image, 6, 1), (Pixel{255, 0, 0, 255}));  // not blue: that lies behind
@@ -113,16 +113,16 @@ TEST(Raster, AColourIsAskedForWithBarycentricCoordinates) {
 }
 
 TEST(Png, ComesBackBitByBit) {
-  Image image = {5, 3, {}};
+  RgbaImage image = {5, 3, {}};
   for (int i = 0; i < 60; ++i) image.rgba.push_back(static_cast<std::uint8_t>(i * 37 % 256));
-  const Image back = DecodePng(EncodePng(image));
+  const RgbaImage back = DecodePng(EncodePng(image));
   EXPECT_EQ(back.width, 5);
   EXPECT_EQ(back.height, 3);
   EXPECT_EQ(back.rgba, image.rgba);
 }
 
 TEST(Paste, MixesWhereItIsNotOpaqueAndStaysInside) {
-  Image page = {2, 1, {255, 255, 255, 255, 255, 255, 255, 255}};
+  RgbaImage page = {2, 1, {255, 255, 255, 255, 255, 255, 255, 255}};
   Paste({2, 1, {0, 0, 0, 51, 9, 9, 9, 255}}, 1, 0, &page);
   EXPECT_EQ(At(page, 0, 0), (Pixel{255, 255, 255, 255}));
   EXPECT_EQ(At(page, 1, 0), (Pixel{204, 204, 204, 255}));
@@ -138,7 +138,7 @@ TEST(StrokeFont, HasWhatLegendsSayAndItsWidthIsWhereItEnds) {
   EXPECT_GT(TextWidth("mm", 9), 1.9 * TextWidth("m", 9));
   Raster raster(60, 20);
   DrawText("log", 5, 15, 9, Rgb(0, 0, 0), &raster);
-  const Image image = raster.Finish();
+  const RgbaImage image = raster.Finish();
   int most = 0;
   for (int x = 0; x < 60; ++x) {
     for (int y = 0; y < 20; ++y) most = At(image, x, y)[3] > 0 ? std::max(most, x) : most;
@@ -154,7 +154,7 @@ UvMap Pyramid() {
 }
 
 /// How many pixels are of this colour, up to rounding.
-int Count(const Image& image, const Pixel& wanted) {
+int Count(const RgbaImage& image, const Pixel& wanted) {
   int count = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     bool same = true;
@@ -183,7 +183,7 @@ TEST(UvMap, HasConesWhereSeamsMatchOnly) {
 TEST(Picture, ShowsFacesSeamsConesAndFlips) {
   UvMap map = Pyramid();
   const Pixel seam = {224, 31, 89, 255}, cone = {237, 115, 13, 255}, flip = {217, 26, 26, 255};
-  const Image image = DecodePng(PicturePng(map));
+  const RgbaImage image = DecodePng(PicturePng(map));
   EXPECT_GT(Count(image, seam), 100);
   EXPECT_GT(Count(image, cone), 10);
   EXPECT_EQ(Count(image, flip), 0);
@@ -251,7 +251,7 @@ TEST(CirclePatterns, ShowsThePlaneAndTheSphere) {
     EXPECT_THAT(folder.Read("a.html"),
                 HasSubstr(on_sphere ? "\"sphere\":true" : "\"sphere\":false"));
     // The globe shows what the plane has not: a white middle between its two sides.
-    const Image image = DecodePng(folder.Read("a.png"));
+    const RgbaImage image = DecodePng(folder.Read("a.png"));
     EXPECT_GT(Count(image, {255, 255, 255, 255}), 10000);
     EXPECT_EQ(Count(image, {217, 26, 26, 255}), 0);
   }

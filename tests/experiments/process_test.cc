@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -53,6 +55,44 @@ TEST(Process, PeakMemoryIsNoLessThanWhatIsInUse) {
   EXPECT_GE(PeakMemoryMib(), before);
   EXPECT_EQ(touched.back(), 1);
 }
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+/// Whether the heap, or a part of it, may lie on huge pages, where the system has any.
+bool HeapIsAdvised() {
+  if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) return true;
+  std::ifstream mappings("/proc/self/smaps");
+  std::string line;
+  bool in_heap = false;
+  while (std::getline(mappings, line)) {
+    if (line.find('-') < line.find(' ')) in_heap = line.find("[heap]") != std::string::npos;
+    if (in_heap && line.rfind("VmFlags:", 0) == 0 && line.find(" hg") != std::string::npos)
+      return true;
+  }
+  return false;
+}
+
+/// What is resident after buffers came and went, of more than the C library keeps by itself.
+double ResidentAfterBuffers() {
+  std::vector<std::vector<char>> buffers;
+  for (int i = 0; i < 40; ++i) buffers.emplace_back(1 << 20, 1);
+  const bool touched = buffers.back().back() == 1;
+  buffers.clear();
+  return touched ? ResidentMib() : 0;
+}
+
+TEST(Process, ASmallHeapKeepsWhatIsFreedOnHugePages) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // as a program begins
+  EXPECT_EXIT(
+      {
+        KeepSmallHeap();
+        const bool is_kept = ResidentAfterBuffers() > 40;
+        std::_Exit(is_kept && HeapIsAdvised() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+#endif
 
 TEST(Process, CpuTimeGrowsByWork) {
   const double before = ProcessCpuSeconds();

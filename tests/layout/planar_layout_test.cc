@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "cirque/layout/linear_layout.h"
+#include "cirque/math/similarity.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
 
@@ -20,9 +20,9 @@ TEST(PlanarLayout, FlatPatchComesBackUpToARigidMotion) {
   EXPECT_LT(layout.closure, 1e-10);
   std::vector<Eigen::Vector2d> expected;
   for (const Index v : patch.triangulation.vertex) expected.push_back(patch.position[v].head<2>());
-  const Similarity similarity = FitSimilarity(layout.uv.value, expected);
-  EXPECT_LT(similarity.max_error, 1e-11);
-  EXPECT_NEAR(std::abs(similarity.factor), 1, 1e-11);
+  const SimilarityFit fit = FitSimilarity(layout.uv.value, expected);
+  EXPECT_LT(fit.max_error, 1e-11);
+  EXPECT_NEAR(std::abs(fit.similarity.factor), 1, 1e-11);
   EXPECT_TRUE(FlippedFaces(patch.triangulation, layout.uv).empty());
 }
 
@@ -75,9 +75,9 @@ TEST(PlanarLayout, NumberingTurnsTheLayoutAndNothingElse) {
   for (Index c = 0; c < count; ++c) {
     same_corner.push_back(b.uv.value[count - 3 - c / 3 * 3 + (c + 2) % 3]);
   }
-  const Similarity motion = FitSimilarity(same_corner, a.uv.value);
+  const SimilarityFit motion = FitSimilarity(same_corner, a.uv.value);
   EXPECT_LT(motion.max_error, 1e-12);
-  EXPECT_NEAR(std::abs(motion.factor), 1, 1e-12);
+  EXPECT_NEAR(std::abs(motion.similarity.factor), 1, 1e-12);
 }
 
 TEST(PlanarLayout, LeastSquaresAgreesWithDirectionsOnADisk) {
@@ -88,9 +88,9 @@ TEST(PlanarLayout, LeastSquaresAgreesWithDirectionsOnADisk) {
   const PlanarLayout by_directions = LayOutByDirections(t, AnglesOf(patch), lengths);
   const StatusOr<PlanarLayout> solved = LayOutByLeastSquares(t, AnglesOf(patch), lengths, none);
   ASSERT_TRUE(solved.ok()) << solved.status().message();
-  const Similarity motion = FitSimilarity(solved->uv.value, by_directions.uv.value);
+  const SimilarityFit motion = FitSimilarity(solved->uv.value, by_directions.uv.value);
   EXPECT_LT(motion.max_error, 1e-12);
-  EXPECT_LT(std::abs(motion.factor - 1.0), 1e-12);  // the same frame: a translation
+  EXPECT_LT(std::abs(motion.similarity.factor - 1.0), 1e-12);  // the same frame: a translation
   EXPECT_LT(solved->closure, 1e-11);
 }
 

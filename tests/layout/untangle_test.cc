@@ -117,8 +117,8 @@ TEST_F(UntangleFlippedTrianglesTest, AKernelIsFoundHoweverSmallAndOneThatDoubles
   const IntrinsicSurface surface = MeasureSurface(t(), lengths);
   const auto corner = std::find(t().vertex.begin(), t().vertex.end(), Vertex(3, 3));
   const auto best = [&](const InputChart& flat) {
-    return VertexStar(t(), surface.angles, surface.lengths, flat,
-                      static_cast<Index>(corner - t().vertex.begin()))
+    return DevelopedStar(t(), surface.angles, surface.lengths, flat,
+                         static_cast<Index>(corner - t().vertex.begin()))
         .BestPosition(mips);
   };
   // Where it was before it was moved, seen from where it is and turned with one of its edges.

@@ -1,7 +1,6 @@
 #include "cirque/metrics/measure_map.h"
 
 #include <cmath>
-#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,64 +89,6 @@ TEST(Statistics, OfNothingAreNaN) {
   const std::vector<double> percentiles = AreaPercentiles(none, none, {0.5, 0.9});
   ASSERT_EQ(percentiles.size(), 2u);
   for (const double percentile : percentiles) EXPECT_TRUE(std::isnan(percentile));
-}
-
-std::vector<Vector2d> RandomPoints(int count) {
-  std::mt19937 random(6);
-  std::normal_distribution<double> normal;
-  std::vector<Vector2d> points;
-  for (int i = 0; i < count; ++i) points.emplace_back(normal(random), normal(random));
-  return points;
-}
-
-TEST(Similarity, IsFoundExactly) {
-  const std::complex<double> factor = std::polar(2.5, 1.2), shift(40, -7);
-  const std::vector<Vector2d> from = RandomPoints(30);
-  std::vector<Vector2d> to;
-  for (const Vector2d& p : from) {
-    const std::complex<double> z = factor * std::complex<double>(p.x(), p.y()) + shift;
-    to.emplace_back(z.real(), z.imag());
-  }
-  const Similarity found = FitSimilarity(from, to);
-  EXPECT_LT(std::abs(found.factor - factor), 1e-13);
-  EXPECT_LT(std::abs(found.shift - shift), 1e-13);
-  EXPECT_LT(found.max_error, 1e-14);
-}
-
-TEST(Similarity, LeavesAReflectionItsErrorAndIsOptimal) {
-  const std::vector<Vector2d> from = RandomPoints(30);
-  std::vector<Vector2d> to = from;
-  for (Vector2d& p : to) p.x() = -p.x();
-  const Similarity found = FitSimilarity(from, to);
-  EXPECT_GT(found.rms_error, 0.05);
-  EXPECT_GT(found.max_error, found.rms_error);
-  const auto squares = [&](std::complex<double> factor, std::complex<double> shift) {
-    double sum = 0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const std::complex<double> z(from[i].x(), from[i].y()), w(to[i].x(), to[i].y());
-      sum += std::norm(factor * z + shift - w);
-    }
-    return sum;
-  };
-  const double least = squares(found.factor, found.shift);
-  for (const std::complex<double> step :
-       {std::complex<double>(1e-3, 0), {0, 1e-3}, {-1e-3, 0}, {0, -1e-3}}) {
-    EXPECT_LT(least, squares(found.factor + step, found.shift));
-    EXPECT_LT(least, squares(found.factor, found.shift + step));
-  }
-}
-
-TEST(Similarity, OneDisplacedPointIsTheLargestError) {
-  // A thousand points on the unit circle, one of them moved by 0.1: twice the extent is about 2.2.
-  std::vector<Vector2d> from, to;
-  for (int i = 0; i < 1000; ++i) {
-    from.emplace_back(std::cos(2 * kPi * i / 1000), std::sin(2 * kPi * i / 1000));
-  }
-  to = from;
-  to[0].x() += 0.1;
-  const Similarity found = FitSimilarity(from, to);
-  EXPECT_NEAR(found.max_error, 0.1 / 2.2, 2e-4);
-  EXPECT_NEAR(found.rms_error, 0.1 / 2.2 / std::sqrt(1000.0), 1e-5);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include "cirque/core/parallel.h"
 #include "cirque/cuts/shortest_path.h"
 #include "cirque/generators/generators.h"
+#include "cirque/math/similarity.h"
 #include "cirque/mesh/preflight.h"
 #include "cirque/metrics/injectivity.h"
-#include "cirque/metrics/measure_map.h"
 
 #include "tests/common/surfaces.h"
 #include "tests/mesh/meshes.h"

@@ -118,6 +118,42 @@ class FunctionFinder {
   std::vector<FunctionSpan> functions_;
 };
 
+// Reads code brace by brace and notes the types between namespaces.
+class TypeFinder {
+ public:
+  void Read(char c) {
+    if (c == '{') return Open();
+    if (c == '}' && !scopes_.empty()) scopes_.pop_back();
+    if (c == '}' || c == ';') return statement_.clear();
+    statement_ += std::isspace(static_cast<unsigned char>(c)) ? ' ' : c;
+  }
+
+  std::vector<std::string> Take() { return std::move(types_); }
+
+ private:
+  void Open() {
+    static const std::regex kNamespace(R"(^ *(?:inline )?namespace ?([\w:]*) *$)");
+    static const std::regex kType(
+        R"(^ *(?:template ?<.*> ?)?(?:class|struct|enum class|enum|union) (\w+)(?: final)? ?(?::[^:].*)?$)");
+    const bool is_visible = std::find(scopes_.begin(), scopes_.end(), "") == scopes_.end();
+    std::smatch match;
+    std::string scope;  // without a name: nobody outside sees what is in it
+    if (std::regex_match(statement_, match, kNamespace)) {
+      if (match[1].length() > 0) scope = match[1].str() + "::";
+    } else if (is_visible && std::regex_match(statement_, match, kType)) {
+      std::string name;
+      for (const std::string& outer : scopes_) name += outer;
+      types_.push_back(name + match[1].str());
+    }
+    scopes_.push_back(scope);
+    statement_.clear();
+  }
+
+  std::string statement_;  // since the last one's end
+  std::vector<std::string> scopes_;
+  std::vector<std::string> types_;
+};
+
 // "class NAME final : BASES {" of a definition.
 const std::regex& ClassPattern() {
   static const std::regex kClass(
@@ -168,6 +204,12 @@ std::vector<std::string> ClassesOf(const std::string& text) {
     names.push_back((*m)[1]);
   }
   return names;
+}
+
+std::vector<std::string> VisibleTypesOf(const std::string& text) {
+  TypeFinder finder;
+  for (const char c : CodeOf(text)) finder.Read(c);
+  return finder.Take();
 }
 
 std::vector<Derivation> DerivationsOf(const std::string& text) {

@@ -27,6 +27,10 @@ struct Derivation {
 /// The names of the classes and structs that a source defines (not those it only declares).
 std::vector<std::string> ClassesOf(const std::string& text);
 
+/// The types that a source defines for others to see, with their namespaces ("cirque::Registry"): those
+/// at the level of namespaces, of which none is without a name.
+std::vector<std::string> VisibleTypesOf(const std::string& text);
+
 /// What the classes of a source derive from.
 std::vector<Derivation> DerivationsOf(const std::string& text);
 

@@ -59,6 +59,16 @@ TEST(StructureGraph, CommentsLiteralsAndDirectivesAreNoCode) {
   EXPECT_EQ(CodeOf("#define A { \\\n  {\nB /* {\n */ C"), "             \n   \nB     \n    C");
 }
 
+TEST(StructureGraph, TypesAreSeenWithTheirNamespaces) {
+  EXPECT_THAT(
+      VisibleTypesOf("namespace a {\nstruct B {\n  struct Inner {};\n};\nclass Declared;\n"
+                     "template <typename T>\nclass C final : public B {};\n"
+                     "namespace {\nstruct Hidden {};\n}\n"
+                     "enum class D : int { kOne };\nB F() { struct Local {}; return {}; }\n}\n"
+                     "namespace a::b {\nstruct E {};\n}\n"),
+      testing::ElementsAre("a::B", "a::C", "a::D", "a::b::E"));
+}
+
 TEST(StructureGraph, FunctionsAreMeasuredFromSignatureToBrace) {
   const std::string text =
       "namespace a {\n"

@@ -2,6 +2,7 @@
 // breaks it.
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/common/paths.h"
+#include "tests/structure/code_text.h"
 #include "tests/structure/include_graph.h"
 #include "tests/structure/rules.h"
 
@@ -52,6 +54,19 @@ TEST(Structure, NoFileIncludesOneThatIncludesItBack) {
 
 TEST(Structure, NoBaseClassIncludesItsDerivedOnes) {
   EXPECT_THAT(GraphOfTheProject().BasesThatIncludeDerived(), IsEmpty());
+}
+
+// Two of one name in one program are one to the linker, whatever they are: only luck decides which.
+TEST(Structure, NoTypeIsDefinedTwice) {
+  std::map<std::string, std::set<std::string>> files_of;
+  for (const std::string& file : SourceFiles(ProjectPath("."))) {
+    if (!file.ends_with(".h") && !file.ends_with(".cc")) continue;
+    for (const std::string& type : VisibleTypesOf(ReadAll(ProjectPath(file)))) {
+      files_of[type].insert(file);
+    }
+  }
+  EXPECT_GT(files_of.size(), 500u);
+  for (const auto& [type, files] : files_of) EXPECT_THAT(files, testing::SizeIs(1)) << type;
 }
 
 TEST(Structure, TopLevelIsTheDesigns) {

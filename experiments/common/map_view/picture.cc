@@ -210,7 +210,7 @@ std::string StyleSheet() {
   return text + "</style>\n";
 }
 
-std::string SvgImage(const Image& image, double x) {
+std::string SvgImage(const RgbaImage& image, double x) {
   return fmt::format(
       "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n",
       x, kTop, kPanel, kPanel, Base64(EncodePng(image)));
@@ -279,7 +279,7 @@ void Draw(const Mark& mark, Raster* raster) {
 
 std::string Picture::Png() const {
   const auto pixels = [](double units) { return static_cast<int>(std::lround(kPngScale * units)); };
-  Image page = {pixels(kWidth), pixels(kHeight), {}};
+  RgbaImage page = {pixels(kWidth), pixels(kHeight), {}};
   page.rgba.assign(4 * static_cast<std::size_t>(page.width) * page.height, 255);
   Paste(SurfacePanel(map_, kPngScale), pixels(kGap), pixels(kTop), &page);
   Paste(ImagePanel(map_, colour_, kPngScale), pixels(kSecond), pixels(kTop), &page);

@@ -240,7 +240,7 @@ Eigen::Vector2d PanelFit::operator()(const Eigen::Vector2d& uv) const {
   return {kPanel / 2 + from_middle.x(), kPanel / 2 - from_middle.y()};
 }
 
-Image SurfacePanel(const UvMap& map, double scale) {
+RgbaImage SurfacePanel(const UvMap& map, double scale) {
   const int side = static_cast<int>(std::lround(scale * kPanel));
   Raster raster(side, side);
   const Stage stage(map, scale);
@@ -249,7 +249,7 @@ Image SurfacePanel(const UvMap& map, double scale) {
   return raster.Finish();
 }
 
-Image ImagePanel(const UvMap& map, const std::vector<Rgb>& face_colour, double scale) {
+RgbaImage ImagePanel(const UvMap& map, const std::vector<Rgb>& face_colour, double scale) {
   const int side = static_cast<int>(std::lround(scale * kPanel));
   Raster raster(side, side);
   if (map.IsOnSphere()) {

@@ -19,11 +19,11 @@ inline constexpr float kLessColour[3] = {0.93f, 0.45f, 0.05f}, kMoreColour[3] = 
 
 /// The surface with squares that are those of its image, seams on it, as a square picture of `scale` pixels a
 /// unit; of a map on a lattice with the lattice's pattern, and cones on it.
-Image SurfacePanel(const UvMap& map, double scale);
+RgbaImage SurfacePanel(const UvMap& map, double scale);
 
 /// The image's faces in these colours: the plane's fitted into a panel, or both sides of the sphere.
 /// Flipped faces in the plane are red.
-Image ImagePanel(const UvMap& map, const std::vector<Rgb>& face_colour, double scale);
+RgbaImage ImagePanel(const UvMap& map, const std::vector<Rgb>& face_colour, double scale);
 
 /// The way from the plane into a panel.
 class PanelFit {

@@ -13,7 +13,7 @@ std::uint8_t Byte(float value) {
 }
 
 /// Each row as its differences from the pixel to the left (filter 1), which deflate well.
-std::string FilteredRows(const Image& image) {
+std::string FilteredRows(const RgbaImage& image) {
   std::string rows;
   const std::size_t length = 4 * static_cast<std::size_t>(image.width);
   for (int y = 0; y < image.height; ++y) {
@@ -28,7 +28,7 @@ std::string FilteredRows(const Image& image) {
 
 }  // namespace
 
-std::string EncodePng(const Image& image) {
+std::string EncodePng(const RgbaImage& image) {
   return FormatPng(image.width, image.height, PngColour::kRgba, FilteredRows(image));
 }
 
@@ -84,8 +84,8 @@ void Raster::Rectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high, 
 }
 
 /// A pixel's colour is the mean of its opaque points, its opacity their share.
-Image Raster::Finish() const {
-  Image image = {width_, height_, {}};
+RgbaImage Raster::Finish() const {
+  RgbaImage image = {width_, height_, {}};
   image.rgba.reserve(4 * static_cast<std::size_t>(width_) * height_);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
@@ -107,7 +107,7 @@ Image Raster::Finish() const {
   return image;
 }
 
-void Paste(const Image& image, int x, int y, Image* onto) {
+void Paste(const RgbaImage& image, int x, int y, RgbaImage* onto) {
   for (int row = std::max(0, -y); row < std::min(image.height, onto->height - y); ++row) {
     for (int column = std::max(0, -x); column < std::min(image.width, onto->width - x); ++column) {
       const std::size_t i = 4 * (static_cast<std::size_t>(row) * image.width + column);

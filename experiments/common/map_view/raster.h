@@ -16,13 +16,13 @@ namespace cirque {
 using Rgb = Eigen::Vector3f;
 
 /// A finished picture: red, green, blue and opacity of every pixel, row by row from the top.
-struct Image {
+struct RgbaImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
 /// The picture as a PNG of 8 bits a channel (W3C's PNG specification, third edition).
-std::string EncodePng(const Image& image);
+std::string EncodePng(const RgbaImage& image);
 
 /// A picture being painted, transparent at first. It is kept at kSamples x kSamples points a pixel,
 /// whose mean a pixel is in the end, so that edges are smooth. Coordinates are those of the finished
@@ -57,7 +57,7 @@ class Raster {
 
   void Rectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Rgb& colour);
 
-  Image Finish() const;
+  RgbaImage Finish() const;
 
  private:
   static constexpr int kSamples = 3;
@@ -85,6 +85,6 @@ class Raster {
 
 /// Copies an image's opaque pixels over another's, its top left corner at (x, y), and mixes where it
 /// is not quite opaque. What reaches beyond is left out.
-void Paste(const Image& image, int x, int y, Image* onto);
+void Paste(const RgbaImage& image, int x, int y, RgbaImage* onto);
 
 }  // namespace cirque

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "cirque/domains/map_mesh.h"
-#include "cirque/metrics/measure_map.h"
+#include "cirque/math/similarity.h"
 
 #include "experiments/run_experiment/config/remeshing.h"
 
 namespace cirque {
 namespace {
 
-/// Mean edge length of corner images, relative to their extent as Similarity measures it.
+/// Mean edge length of corner images, relative to their extent as SimilarityFit measures it.
 double RelativeEdgeLength(const std::vector<Eigen::Vector2d>& image) {
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& p : image) centroid += p / static_cast<double>(image.size());
@@ -77,10 +77,10 @@ std::map<std::string, double> KnownMapErrors(const MeshSpec& mesh, const Surface
   const StatusOr<ConformalMap> known = KnownConformalMaps().Find(mesh.generator);
   if (!known.ok()) return {};
   const std::vector<Eigen::Vector2d> image = KnownImage(*known, surface);
-  const Similarity similarity = FitSimilarity(uv.value, image);
+  const SimilarityFit fit = FitSimilarity(uv.value, image);
   return {{"edge_length", RelativeEdgeLength(image)},
-          {"known_map_rms_error", similarity.rms_error},
-          {"known_map_max_error", similarity.max_error}};
+          {"known_map_rms_error", fit.rms_error},
+          {"known_map_max_error", fit.max_error}};
 }
 
 StatusOr<std::map<std::string, double>> RefinedMapErrors(const PlannedRun& run,
@@ -95,10 +95,10 @@ StatusOr<std::map<std::string, double>> RefinedMapErrors(const PlannedRun& run,
   const auto finer = RefinedImages(run, *refined, surface.triangulation.num_vertices);
   if (!finer.ok()) return finer.status().In("against_refined");
   if (!*finer) return errors;
-  const Similarity similarity = FitSimilarity(*image, **finer);
+  const SimilarityFit fit = FitSimilarity(*image, **finer);
   return std::map<std::string, double>{{"edge_length", RelativeEdgeLength(map.uv.value)},
-                                       {"refined_map_rms_error", similarity.rms_error},
-                                       {"refined_map_max_error", similarity.max_error}};
+                                       {"refined_map_rms_error", fit.rms_error},
+                                       {"refined_map_max_error", fit.max_error}};
 }
 
 }  // namespace cirque

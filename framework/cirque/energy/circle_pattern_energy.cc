@@ -1,11 +1,16 @@
 #include "cirque/energy/circle_pattern_energy.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include <glog/logging.h>
 
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/half_angles.h"
+#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 
@@ -43,19 +48,58 @@ double CirclePatternEnergy::InteriorEdge::natural_d() const {
   return MinimalLogRatio(alpha_i, alpha_j);
 }
 
+/// Some interior edges: what the functions of half_angles.h take, and what they give.
+class CirclePatternEnergy::EdgeChunk {
+ public:
+  EdgeChunk(const CirclePatternEnergy& energy, const double* rho, int first, int end)
+      : size_(end - first) {
+    for (int k = 0; k < end - first; ++k) {
+      const InteriorEdge& e = energy.edges_[first + k];
+      d_[k] = rho[e.i()] - rho[e.j()];
+      sine_[k] = e.angle.sine;
+      one_minus_cosine_[k] = e.angle.one_minus_cosine;
+    }
+  }
+
+  double d(int k) const { return d_[k]; }
+  using Values = std::array<double, kChunk>;
+
+  template <class Function>
+  void Evaluate(const Function& function, Values* result) const {
+    function(Of(d_), Of(sine_), Of(one_minus_cosine_), std::span(result->data(), size_));
+  }
+
+  /// The same edges from their other sides.
+  void Reverse() {
+    for (double& d : d_) d = -d;
+  }
+
+ private:
+  std::span<const double> Of(const Values& values) const { return {values.data(), size_}; }
+
+  std::size_t size_;
+  Values d_{}, sine_, one_minus_cosine_;
+};
+
 template <class Counts>
 double CirclePatternEnergy::Sum(const double* rho, const Counts& counts) const {
   const double of_faces =
       ParallelSum(num_faces_, [&](int f) { return counts(f) ? boundary_star_[f] * rho[f] : 0.0; });
-  const double of_edges = ParallelSum(static_cast<int>(edges_.size()), [&](int k) {
-    const InteriorEdge& e = edges_[k];
-    CompensatedSum sum;
-    if (!counts(e.i())) return sum;
-    sum += EdgePotential(rho[e.i()] - rho[e.j()], e.angle.theta).value;
-    sum -= (e.alpha_i + e.alpha_j) * (rho[e.i()] + rho[e.j()]);
-    return sum;
-  });
-  return of_faces + of_edges;
+  const int num_edges = static_cast<int>(edges_.size());
+  const auto add = [&](int first, int end, CompensatedSum* sum) {
+    EdgeChunk chunk(*this, rho, first, end);
+    EdgeChunk::Values phi_i, phi_j;
+    chunk.Evaluate(HalfAngles, &phi_i);
+    chunk.Reverse();
+    chunk.Evaluate(HalfAngles, &phi_j);
+    for (int k = 0; k < end - first; ++k) {
+      const InteriorEdge& e = edges_[first + k];
+      if (!counts(e.i())) continue;
+      *sum += EdgePotentialValue(-chunk.d(k), e.angle.theta, phi_i[k], phi_j[k]);
+      *sum -= (e.alpha_i + e.alpha_j) * (rho[e.i()] + rho[e.j()]);
+    }
+  };
+  return of_faces + ParallelSumOfChunks(num_edges, add);
 }
 
 bool CirclePatternEnergy::Evaluate(const double* rho, double* value, double* gradient) const {
@@ -73,13 +117,17 @@ bool CirclePatternEnergy::Share(const double* rho, const std::vector<bool>& own,
 bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   if (!AllFinite(rho)) return false;
   Eigen::VectorXd phi = Eigen::VectorXd::Zero(3 * num_faces_);
-  ParallelFor(static_cast<int>(edges_.size()), [&](int k) {
-    // The two halves add up to the corner angles themselves: those sum to pi in every triangle, so
-    // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
-    // by the rounding of pi, every time.
-    const InteriorEdge& e = edges_[k];
-    phi[e.h] = HalfAngle(rho[e.i()] - rho[e.j()], e.angle);
-    phi[e.g] = (e.alpha_i + e.alpha_j) - phi[e.h];
+  ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
+    EdgeChunk::Values half;
+    EdgeChunk(*this, rho, first, end).Evaluate(HalfAngles, &half);
+    for (int k = 0; k < end - first; ++k) {
+      // The two halves add up to the corner angles themselves: those sum to pi in every triangle, so
+      // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
+      // by the rounding of pi, every time.
+      const InteriorEdge& e = edges_[first + k];
+      phi[e.h] = half[k];
+      phi[e.g] = (e.alpha_i + e.alpha_j) - half[k];
+    }
   });
   ParallelFor(num_faces_, [&](int f) {
     gradient[f] = boundary_star_[f];
@@ -91,9 +139,13 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
 bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const {
   if (!AllFinite(rho)) return false;
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_);
-  ParallelFor(static_cast<int>(edges_.size()), [&](int k) {
-    const InteriorEdge& e = edges_[k];
-    weight[e.h] = weight[e.g] = HalfAngleWeight(rho[e.i()] - rho[e.j()], e.angle);
+  ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
+    EdgeChunk::Values of_edge;
+    EdgeChunk(*this, rho, first, end).Evaluate(HalfAngleWeights, &of_edge);
+    for (int k = 0; k < end - first; ++k) {
+      const InteriorEdge& e = edges_[first + k];
+      weight[e.h] = weight[e.g] = of_edge[k];
+    }
   });
   laplacian_.Assemble(weight, lower);
   return true;

@@ -75,6 +75,7 @@ class CirclePatternEnergy final : public Energy {
     /// d_e: the log ratio at which both halves agree with the coherent angles.
     double natural_d() const;
   };
+  class EdgeChunk;
 
   int num_faces_;
   std::vector<InteriorEdge> edges_;

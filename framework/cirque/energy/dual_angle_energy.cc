@@ -1,6 +1,8 @@
 #include "cirque/energy/dual_angle_energy.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 namespace {
@@ -35,31 +38,38 @@ DualAngleEnergy::DualAngleEnergy(AngleConstraints constraints, const Eigen::Vect
   }
 }
 
-EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
+EdgeSlopes DualAngleEnergy::SlopesAt(Index e, const double* y) const {
   const Triangulation& t = constraints_.triangulation();
   const Index l = t.edge_halfedge[e], r = t.twin[l];
-  const double s_l = constraints_.Slope(y, l);
-  if (r == kNone) return objective_->BoundaryConjugate(reference_[l], epsilon_, s_l);
-  return objective_->InteriorConjugate(reference_[l], reference_[r], epsilon_, s_l,
-                                       constraints_.Slope(y, r));
+  if (r == kNone) return {reference_[l], 0, constraints_.Slope(y, l), 0, true};
+  return {reference_[l], reference_[r], constraints_.Slope(y, l), constraints_.Slope(y, r), false};
+}
+
+EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
+  const EdgeSlopes at = SlopesAt(e, y);
+  return at.is_boundary
+             ? objective_->BoundaryConjugate(at.ref_l, epsilon_, at.s_l)
+             : objective_->InteriorConjugate(at.ref_l, at.ref_r, epsilon_, at.s_l, at.s_r);
 }
 
 template <class Visit>
 double DualAngleEnergy::SumConjugates(const double* y, const Visit& visit) const {
-  const Triangulation& t = constraints_.triangulation();
-  if (!objective_->TakesArrays()) {
-    return ParallelSum(t.num_edges(), [&](Index e) { return visit(e, Conjugate(e, y)); });
+  const int num_edges = constraints_.triangulation().num_edges();
+  if (objective_->TakesArrays()) {
+    std::vector<EdgeSlopes> edges(num_edges);
+    ParallelFor(num_edges, [&](Index e) { edges[e] = SlopesAt(e, y); });
+    std::vector<EdgeConjugate> conjugates(edges.size());
+    objective_->Conjugates(edges, epsilon_, conjugates);
+    return ParallelSum(num_edges, [&](Index e) { return visit(e, conjugates[e]); });
   }
-  std::vector<EdgeSlopes> edges(t.num_edges());
-  ParallelFor(t.num_edges(), [&](Index e) {
-    const Index l = t.edge_halfedge[e], r = t.twin[l];
-    const bool is_boundary = r == kNone;
-    edges[e] = {reference_[l], is_boundary ? 0 : reference_[r], constraints_.Slope(y, l),
-                is_boundary ? 0 : constraints_.Slope(y, r), is_boundary};
+  return ParallelSumOfChunks(num_edges, [&](Index first, Index end, CompensatedSum* sum) {
+    std::array<EdgeSlopes, kChunk> edges;
+    std::array<EdgeConjugate, kChunk> conjugates;
+    const auto size = static_cast<std::size_t>(end - first);
+    for (Index e = first; e < end; ++e) edges[e - first] = SlopesAt(e, y);
+    objective_->Conjugates({edges.data(), size}, epsilon_, {conjugates.data(), size});
+    for (Index e = first; e < end; ++e) *sum += visit(e, conjugates[e - first]);
   });
-  std::vector<EdgeConjugate> conjugates(edges.size());
-  objective_->Conjugates(edges, epsilon_, conjugates);
-  return ParallelSum(t.num_edges(), [&](Index e) { return visit(e, conjugates[e]); });
 }
 
 Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {

@@ -51,6 +51,7 @@ class DualAngleEnergy final : public Energy, private EnergySource {
   double Primal(const Eigen::VectorXd& alpha) const;
 
  private:
+  EdgeSlopes SlopesAt(Index e, const double* y) const;
   EdgeConjugate Conjugate(Index e, const double* y) const;
 
   /// Calls visit(e, conjugate) for every edge, in parallel, and adds up what it returns.

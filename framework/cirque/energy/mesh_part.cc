@@ -56,7 +56,8 @@ MeshPart MeshPart::Receive(Ranks* ranks) {
   return part;
 }
 
-MeshParts::MeshParts(const Triangulation& t, std::vector<int> vertex_parameter, int num_ranks)
+MeshPartition::MeshPartition(const Triangulation& t, std::vector<int> vertex_parameter,
+                             int num_ranks)
     : t_(t),
       vertex_parameter_(std::move(vertex_parameter)),
       face_owner_(ShareOut(t, num_ranks)),
@@ -82,7 +83,7 @@ MeshParts::MeshParts(const Triangulation& t, std::vector<int> vertex_parameter, 
 }
 
 /// Its own, those around its vertices, and all across an edge of those.
-std::vector<bool> MeshParts::FacesOf(int rank) const {
+std::vector<bool> MeshPartition::FacesOf(int rank) const {
   std::vector<bool> inner(t_.num_faces(), false);
   for (Index h = 0; h < t_.num_halfedges(); ++h) {
     const Index v = t_.vertex[h], f = Triangulation::Face(h);
@@ -98,7 +99,7 @@ std::vector<bool> MeshParts::FacesOf(int rank) const {
   return faces;
 }
 
-void MeshParts::TakeFaces(int rank, MeshPart* part) const {
+void MeshPartition::TakeFaces(int rank, MeshPart* part) const {
   const std::vector<bool> chosen = FacesOf(rank);
   std::vector<Index> place(t_.num_faces(), kNone), vertex_place(t_.num_vertices, kNone);
   for (Index f = 0; f < t_.num_faces(); ++f) {
@@ -124,7 +125,7 @@ void MeshParts::TakeFaces(int rank, MeshPart* part) const {
       NumberEdges(static_cast<Index>(part->vertex.size()), std::move(corners), std::move(twins));
 }
 
-void MeshParts::NumberParameters(MeshPart* part) const {
+void MeshPartition::NumberParameters(MeshPart* part) const {
   part->first = first_;
   for (const Index f : part->face) {
     part->parameter.push_back(f);
@@ -137,7 +138,7 @@ void MeshParts::NumberParameters(MeshPart* part) const {
   }
 }
 
-MeshPart MeshParts::Part(int rank) const {
+MeshPart MeshPartition::Part(int rank) const {
   MeshPart part;
   TakeFaces(rank, &part);
   NumberParameters(&part);

@@ -29,11 +29,12 @@ struct MeshPart {
 /// A surface on its way to the ranks. The faces in the order of a breadth-first search from its rim,
 /// which a part's border then is short in whatever their numbers are, are shared out in equal runs;
 /// to a rank belong the parameters of its faces and of the vertices whose first corner is in one.
-class MeshParts {
+class MeshPartition {
  public:
   /// `vertex_parameter`: per vertex, kNone without; increasing, behind those of the faces. All
   /// without: an empty vector, and a part then has only what lies across its own faces' edges.
-  MeshParts(const Triangulation& triangulation, std::vector<int> vertex_parameter, int num_ranks);
+  MeshPartition(const Triangulation& triangulation, std::vector<int> vertex_parameter,
+                int num_ranks);
 
   MeshPart Part(int rank) const;
 

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "cirque/equivalence/double_surface.h"
-#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/intrinsic/normal_coordinates.h"
 #include "cirque/intrinsic/ptolemy_complex.h"
 #include "cirque/intrinsic/restore_edges.h"
+#include "cirque/intrinsic/triple_flip_complex.h"
 
 namespace cirque {
 namespace {
@@ -84,7 +84,7 @@ CornerAngles AnglesIn(const FlipComplex& metric) {
   return MeasureCornerAngles(t, metric.MakeLengths(t));
 }
 
-CornerAngles AnglesIn(const ExtendedComplex& metric) {
+CornerAngles AnglesIn(const TripleFlipComplex& metric) {
   CornerAngles angles;
   angles.value.resize(metric.complex().num_halfedges());
   for (Index h = 0; h < angles.value.size(); ++h) angles.value[h] = metric.Angle(h);
@@ -106,7 +106,7 @@ std::vector<TripleDouble> ExtendedLengths(const LogScalesResult& result) {
 constexpr double kWideAngle = 1e-6;
 
 const FlipComplex& Lengths(const FlipComplex& metric) { return metric; }
-const FlipComplex& Lengths(const ExtendedComplex& metric) { return metric.complex(); }
+const FlipComplex& Lengths(const TripleFlipComplex& metric) { return metric.complex(); }
 
 template <class Metric>
 std::optional<RestoredBoundary> RestoreIn(Metric metric, NormalCoordinates normal,
@@ -131,7 +131,7 @@ std::optional<RestoredBoundary> RestoreBoundary(const Triangulation& surface,
   auto rounded = RestoreIn(FlipComplex(solved, flat), normal, input, boundary);
   if (rounded && rounded->angles.value.minCoeff() > kWideAngle) return rounded;
   auto extended =
-      RestoreIn(ExtendedComplex(solved, ExtendedLengths(result)), normal, input, boundary);
+      RestoreIn(TripleFlipComplex(solved, ExtendedLengths(result)), normal, input, boundary);
   return extended ? extended : rounded;
 }
 

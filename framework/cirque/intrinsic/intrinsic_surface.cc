@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
-#include "cirque/math/arctangent.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/elementary_arrays.h"
+#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 namespace {
@@ -16,34 +18,42 @@ namespace {
 /// Kahan's mu of sides a >= b and c: positive exactly when a triangle has these sides.
 double TriangleDefect(double a, double b, double c) { return b >= c ? c - (a - b) : b - (a - c); }
 
-/// The angle opposite c [rad]. The parentheses are Kahan's and must stay: every difference is then
-/// taken between numbers that are close or exact (W. Kahan, "Miscalculating Area and Angles of a
-/// Needle-like Triangle", 2014).
-double AngleOpposite(double a, double b, double c) {
+/// The sides of a right triangle, of which half the angle opposite c is.
+struct HalfAngleSides {
+  double opposite, adjacent;
+};
+
+/// The parentheses are Kahan's and must stay: every difference is then taken between numbers that are
+/// close or exact (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle", 2014).
+HalfAngleSides SidesOpposite(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   const double above = ((a - b) + c) * std::max(TriangleDefect(a, b, c), 0.0);
   const double below = (a + (b + c)) * ((a - c) + b);
-  return 2 * Arctangent(std::sqrt(above), std::sqrt(std::max(below, 0.0)));
+  return {std::sqrt(above), std::sqrt(std::max(below, 0.0))};
 }
 
-/// The angles of one triangle, its sides brought near 1 by a power of two so that no product
-/// underflows or overflows.
-std::array<double, 3> TriangleAngles(std::array<double, 3> side) {
+/// Those of one triangle, its sides brought near 1 by a power of two where a product might underflow or
+/// overflow.
+std::array<HalfAngleSides, 3> TriangleHalfAngles(std::array<double, 3> side) {
+  constexpr double kLarge = 0x1p400;
   const auto longest = std::max_element(side.begin(), side.end());
-  const int exponent = std::ilogb(*longest);
-  for (double& length : side) length = std::scalbn(length, -exponent);
+  if (!(*longest<kLarge&& * longest> 1 / kLarge)) {
+    const int exponent = std::ilogb(*longest);
+    for (double& length : side) length = std::scalbn(length, -exponent);
+  }
   const std::size_t k = longest - side.begin();
   const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-  std::array<double, 3> angle = {0, 0, 0};
   const double a = side[k], b = std::max(side[i], side[j]), c = std::min(side[i], side[j]);
+  std::array<HalfAngleSides, 3> half;
   if (!(TriangleDefect(a, b, c) > 0)) {
-    angle[k] = kPi;
-    return angle;
+    half.fill({0, 1});
+    half[k] = {1, 0};
+    return half;
   }
-  angle[i] = AngleOpposite(side[j], side[k], side[i]);
-  angle[j] = AngleOpposite(side[k], side[i], side[j]);
-  angle[k] = AngleOpposite(side[i], side[j], side[k]);
-  return angle;
+  half[i] = SidesOpposite(side[j], side[k], side[i]);
+  half[j] = SidesOpposite(side[k], side[i], side[j]);
+  half[k] = SidesOpposite(side[i], side[j], side[k]);
+  return half;
 }
 
 }  // namespace
@@ -52,11 +62,21 @@ CornerAngles MeasureCornerAngles(const Triangulation& t, const EdgeLengths& leng
   CHECK_EQ(lengths.value.size(), t.num_edges());
   CornerAngles angles;
   angles.value.resize(t.num_halfedges());
-  ParallelFor(t.num_faces(), [&](Index f) {
-    const Index h = 3 * f;
-    const std::array<double, 3> angle = TriangleAngles(
-        {lengths.value[t.edge[h]], lengths.value[t.edge[h + 1]], lengths.value[t.edge[h + 2]]});
-    for (int k = 0; k < 3; ++k) angles.value[h + k] = angle[k];
+  ParallelChunks(t.num_faces(), [&](Index first, Index end) {
+    std::array<double, 3 * kChunk> opposite, adjacent;
+    const auto size = static_cast<std::size_t>(3 * (end - first));
+    for (Index f = first; f < end; ++f) {
+      const Index h = 3 * f;
+      const auto half = TriangleHalfAngles(
+          {lengths.value[t.edge[h]], lengths.value[t.edge[h + 1]], lengths.value[t.edge[h + 2]]});
+      for (int k = 0; k < 3; ++k) {
+        opposite[h + k - 3 * first] = half[k].opposite;
+        adjacent[h + k - 3 * first] = half[k].adjacent;
+      }
+    }
+    double* const angle = &angles.value[3 * first];
+    Arctangents({opposite.data(), size}, {adjacent.data(), size}, {angle, size});
+    for (std::size_t k = 0; k < size; ++k) angle[k] *= 2;
   });
   return angles;
 }

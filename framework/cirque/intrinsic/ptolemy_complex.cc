@@ -105,7 +105,7 @@ void PtolemyComplex::Flip(Index h) {
   const TripleDouble one = LogLength(Next(h)) + LogLength(Next(g));
   const TripleDouble other = LogLength(Prev(h)) + LogLength(Prev(g));
   const TripleDouble length = LogAddExp(one, other) - LogLength(h);
-  FlipExtended(h, length, &complex_, &lower_);
+  FlipTriple(h, length, &complex_, &lower_);
   flips_.push_back(h);
 }
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
+#include "cirque/intrinsic/triple_flip_complex.h"
 #include "cirque/math/log_triangle.h"
 
 namespace cirque {

@@ -27,7 +27,7 @@ bool TurnEdge(Index h, FlipComplex* metric) {
   return length.has_value();
 }
 
-bool TurnEdge(Index h, ExtendedComplex* metric) { return metric->Turn(h); }
+bool TurnEdge(Index h, TripleFlipComplex* metric) { return metric->Turn(h); }
 
 template <class Metric>
 class EdgeRestorer {
@@ -148,7 +148,7 @@ bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
 }
 
 bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
-                  NormalCoordinates* normal, ExtendedComplex* metric, std::vector<Index>* flips) {
+                  NormalCoordinates* normal, TripleFlipComplex* metric, std::vector<Index>* flips) {
   return EdgeRestorer(input, edges, normal, metric, flips).Run();
 }
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "cirque/core/triangulation.h"
-#include "cirque/intrinsic/extended_complex.h"
 #include "cirque/intrinsic/flip_complex.h"
 #include "cirque/intrinsic/normal_coordinates.h"
+#include "cirque/intrinsic/triple_flip_complex.h"
 
 namespace cirque {
 
@@ -22,6 +22,6 @@ namespace cirque {
 bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
                   NormalCoordinates* normal, FlipComplex* metric, std::vector<Index>* flips);
 bool RestoreEdges(const Triangulation& input, const std::vector<bool>& edges,
-                  NormalCoordinates* normal, ExtendedComplex* metric, std::vector<Index>* flips);
+                  NormalCoordinates* normal, TripleFlipComplex* metric, std::vector<Index>* flips);
 
 }  // namespace cirque

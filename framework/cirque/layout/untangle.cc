@@ -23,8 +23,9 @@ double Cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.r
 
 }  // namespace
 
-VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angles,
-                       const EdgeLengths& surface_lengths, const InputChart& flat, Index corner)
+DevelopedStar::DevelopedStar(const Triangulation& t, const CornerAngles& surface_angles,
+                             const EdgeLengths& surface_lengths, const InputChart& flat,
+                             Index corner)
     : t_(t) {
   double direction = 0;
   t.ForEachCornerAround(corner, [&](Index c) {
@@ -40,13 +41,13 @@ VertexStar::VertexStar(const Triangulation& t, const CornerAngles& surface_angle
   });
 }
 
-Complex VertexStar::Beltrami(const Face& face, Complex position, Complex* f_z) const {
+Complex DevelopedStar::Beltrami(const Face& face, Complex position, Complex* f_z) const {
   const Complex from = face.from - position, to = face.to - position;
   *f_z = from * std::conj(face.hat_from) + to * std::conj(face.hat_to);
   return (from * face.hat_from + to * face.hat_to) / *f_z;
 }
 
-double VertexStar::WorstDistortion(Complex position) const {
+double DevelopedStar::WorstDistortion(Complex position) const {
   double worst = 0;
   Complex f_z;
   for (const Face& face : faces_) {
@@ -55,7 +56,7 @@ double VertexStar::WorstDistortion(Complex position) const {
   return worst;
 }
 
-double VertexStar::Value(const MapObjective& objective, Complex position) const {
+double DevelopedStar::Value(const MapObjective& objective, Complex position) const {
   double sum = 0;
   Complex f_z;
   for (const Face& face : faces_) {
@@ -67,7 +68,7 @@ double VertexStar::Value(const MapObjective& objective, Complex position) const 
   return sum;
 }
 
-std::optional<Complex> VertexStar::BestPosition(const MapObjective& objective) const {
+std::optional<Complex> DevelopedStar::BestPosition(const MapObjective& objective) const {
   const std::optional<Complex> start = PositionInKernel();
   if (!start) return start;
   Complex position = *start;
@@ -100,20 +101,20 @@ std::optional<Complex> VertexStar::BestPosition(const MapObjective& objective) c
   return position;
 }
 
-bool VertexStar::SeesAll(Complex position) const {
+bool DevelopedStar::SeesAll(Complex position) const {
   return std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
     return Cross(face.from - position, face.to - position) > 0;
   });
 }
 
-double VertexStar::Radius() const {
+double DevelopedStar::Radius() const {
   double radius = 0;
   for (const Face& face : faces_) radius = std::max(radius, std::abs(face.from));
   return radius;
 }
 
 /// Whether no position lies that far inside all sides: a square about the star, cut along each.
-bool VertexStar::KernelIsEmpty(double margin, double radius) const {
+bool DevelopedStar::KernelIsEmpty(double margin, double radius) const {
   const double far = kFar * radius;
   std::vector<Complex> region = {{-far, -far}, {far, -far}, {far, far}, {-far, far}}, cut;
   for (const Face& face : faces_) {
@@ -138,7 +139,7 @@ bool VertexStar::KernelIsEmpty(double margin, double radius) const {
 /// Onto the side of the kernel that is missed most, again and again, with margins in proportion to
 /// the star: wide ones first, since a kernel that has room for them lets the position lie well
 /// inside.
-std::optional<Complex> VertexStar::PositionInKernel() const {
+std::optional<Complex> DevelopedStar::PositionInKernel() const {
   const double radius = Radius();
   for (const double share : {0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
     const double margin = share * radius;
@@ -161,7 +162,7 @@ std::optional<Complex> VertexStar::PositionInKernel() const {
   return std::nullopt;
 }
 
-void VertexStar::MoveTo(Complex position, InputChart* flat) const {
+void DevelopedStar::MoveTo(Complex position, InputChart* flat) const {
   for (const Face& face : faces_) {
     const Index next = Triangulation::Next(face.corner), prev = Triangulation::Prev(face.corner);
     const Complex from = face.from - position, to = face.to - position, side = face.to - face.from;
@@ -185,12 +186,12 @@ bool IsFlipped(const InputChart& flat, Index face) {
 bool UntangleFace(const IntrinsicSurface& surface, const std::vector<bool>& movable,
                   const MapObjective& objective, Index face, InputChart* flat) {
   const Triangulation& t = surface.triangulation;
-  std::optional<VertexStar> best;
+  std::optional<DevelopedStar> best;
   std::complex<double> best_position;
   double least = std::numeric_limits<double>::infinity();
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
     if (!movable[t.vertex[corner]]) continue;
-    const VertexStar star(t, surface.angles, surface.lengths, *flat, corner);
+    const DevelopedStar star(t, surface.angles, surface.lengths, *flat, corner);
     const auto position = star.IsSimple() ? star.BestPosition(objective) : std::nullopt;
     if (!position || !(star.WorstDistortion(*position) < least)) continue;
     best.emplace(star);

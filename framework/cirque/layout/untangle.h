@@ -13,11 +13,11 @@
 namespace cirque {
 
 /// The faces around a flat interior vertex, developed into the plane with the vertex at 0.
-class VertexStar {
+class DevelopedStar {
  public:
   /// `surface_angles`, `surface_lengths`: of the faces as they are to be.
-  VertexStar(const Triangulation& triangulation, const CornerAngles& surface_angles,
-             const EdgeLengths& surface_lengths, const InputChart& flat, Index corner);
+  DevelopedStar(const Triangulation& triangulation, const CornerAngles& surface_angles,
+                const EdgeLengths& surface_lengths, const InputChart& flat, Index corner);
 
   /// False where the vertex is its own neighbour: it cannot move alone.
   bool IsSimple() const { return simple_; }

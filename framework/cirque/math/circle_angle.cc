@@ -7,6 +7,7 @@
 #include "cirque/math/arctangent.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/gauss_legendre.h"
+#include "cirque/math/half_angle_formulas.h"
 #include "cirque/math/pi.h"
 
 namespace cirque {
@@ -14,20 +15,6 @@ namespace cirque {
 namespace {
 
 double Square(double x) { return x * x; }
-
-/// e^-x and 1 - e^-x for x >= 0, both relatively accurate, of one exponential.
-struct Decay {
-  explicit Decay(double x) {
-    if (x < 0.5) {
-      gone = -std::expm1(-x);
-      left = 1.0 - gone;
-    } else {
-      left = std::exp(-x);
-      gone = 1.0 - left;
-    }
-  }
-  double left, gone;
-};
 
 }  // namespace
 
@@ -51,12 +38,9 @@ CircleAngle CircleAngle::FromCorners(double alpha_i, double alpha_j) {
 double HalfAngle(double d, double theta) { return HalfAngle(d, CircleAngle::FromExterior(theta)); }
 
 double HalfAngle(double d, const CircleAngle& angle) {
-  // e^d - cos theta = expm1(d) + (1 - cos theta), both scaled by e^{-d} where d > 0. A cancellation
-  // of the two terms happens only near phi = pi/2, where it is harmless.
-  const Decay decay(std::abs(d));
-  const double scale = d > 0.0 ? decay.left : 1.0;
-  const double growth = d > 0.0 ? decay.gone : -decay.gone;
-  return Arctangent(scale * angle.sine, growth + scale * angle.one_minus_cosine);
+  const auto sides =
+      SidesOfHalfAngle(d, angle.sine, angle.one_minus_cosine, DecayByAny(std::abs(d)));
+  return Arctangent(sides.sine, sides.cosine);
 }
 
 double HalfAngleWeight(double d, double theta) {
@@ -70,9 +54,7 @@ double HalfAngleByThetaStar(double d, double theta_star) {
 }
 
 double HalfAngleWeight(double d, const CircleAngle& angle) {
-  // sin theta / (cosh d - cos theta), both scaled by 2 q with q = e^{-|d|}.
-  const Decay q(std::abs(d));
-  return 2.0 * q.left * angle.sine / (Square(q.gone) + 2.0 * q.left * angle.one_minus_cosine);
+  return WeightOfHalfAngle(angle.sine, angle.one_minus_cosine, DecayByAny(std::abs(d)));
 }
 
 namespace {
@@ -164,12 +146,15 @@ Excess ComputeExcess(const Edge& e) {
 
 }  // namespace
 
+double EdgePotentialValue(double d, double theta, double phi_i, double phi_j) {
+  return (phi_j - phi_i) * d + Clausen(2.0 * theta) - ClausenStep(phi_i, theta, phi_j);
+}
+
 ScalarJet EdgePotential(double d, double theta) {
   const CircleAngle angle = CircleAngle::FromExterior(theta);
-  const double phi_i = HalfAngle(d, angle), phi_j = HalfAngle(-d, angle);
-  const double p =
+  const double slope =
       2.0 * Arctangent(std::tanh(0.5 * d) * std::cos(0.5 * theta), std::sin(0.5 * theta));
-  return {p * d + Clausen(2.0 * theta) - ClausenStep(phi_i, theta, phi_j), p,
+  return {EdgePotentialValue(d, theta, HalfAngle(d, angle), HalfAngle(-d, angle)), slope,
           HalfAngleWeight(d, angle)};
 }
 

@@ -52,6 +52,9 @@ double HalfAngleByThetaStar(double d, double theta_star);
 /// Source: Bobenko, Springborn, Trans. AMS 356 (2004); Lewin, Polylogarithms (1981), chapter 5.
 ScalarJet EdgePotential(double d, double theta);
 
+/// The value alone, where phi_i = HalfAngle(d, theta) and phi_j = HalfAngle(-d, theta) are known.
+double EdgePotentialValue(double d, double theta, double phi_i, double phi_j);
+
 /// d_e = log(sin alpha_j / sin alpha_i), where HalfAngle(d_e, theta) = alpha_i; relatively accurate
 /// also where theta is small and with it d_e.
 double MinimalLogRatio(double alpha_i, double alpha_j);

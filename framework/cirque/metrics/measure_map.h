@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,18 +51,5 @@ std::vector<std::string> FigureNames();
 
 /// The figures as aligned lines "NAME  VALUE  MEANING" under the headings of their groups.
 std::string FormatFigures(const MapMeasures& measures);
-
-/// The orientation-preserving similarity z -> factor z + shift of the plane.
-struct Similarity {
-  std::complex<double> factor, shift;
-  /// The distances left, largest and root mean square, relative to twice the target's largest
-  /// distance from its centroid.
-  double max_error = 0, rms_error = 0;
-};
-
-/// The similarity from the first points to the second, of which there are as many, that minimises
-///   sum_i |factor from_i + shift - to_i|^2.
-Similarity FitSimilarity(const std::vector<Eigen::Vector2d>& from,
-                         const std::vector<Eigen::Vector2d>& to);
 
 }  // namespace cirque

@@ -1,13 +1,17 @@
 #include "cirque/radii/pattern_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 #include "cirque/core/parallel.h"
 #include "cirque/energy/dual_laplacian.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/elementary_arrays.h"
+#include "cirque/math/parallel_chunks.h"
 #include "cirque/solver/newton_loop.h"
 
 namespace cirque {
@@ -27,13 +31,13 @@ class Volume {
       : t_(t), laplacian_(laplacian), domain_(*domain), phi_(angles) {}
 
   /// The normal equations of the least-squares problem at the present angles.
-  void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) const {
+  void Linearize(SparseMatrix* lower, Eigen::VectorXd* right_side) {
+    MeasureSprings();
     Eigen::VectorXd weight(t_.num_halfedges()), force(t_.num_halfedges());
     ParallelFor(t_.num_edges(), [&](Index e) {
       const Index h = t_.edge_halfedge[e], g = t_.twin[h];
-      const Spring spring = SpringOf(e);
-      weight[h] = spring.weight;
-      force[h] = spring.weight * spring.log_ratio;
+      weight[h] = springs_[e].weight;
+      force[h] = springs_[e].weight * springs_[e].log_ratio;
       if (g == kNone) return;
       weight[g] = weight[h];
       force[g] = -force[h];
@@ -44,7 +48,7 @@ class Volume {
   }
 
   /// Moves the angles along the step that these multipliers give, as far as they stay positive and
-  /// V rises.
+  /// V rises. @pre Linearize at these angles.
   void Step(const Eigen::VectorXd& rho) {
     Eigen::VectorXd step(t_.num_edges());
     std::vector<double> longest(NumBlocks(t_.num_edges()), 1);
@@ -74,16 +78,58 @@ class Volume {
   Index Right(Index e) const { return t_.twin[Left(e)]; }
   bool IsInterior(Index e) const { return Right(e) != kNone; }
 
-  Spring SpringOf(Index e) const {
-    if (!IsInterior(e)) return {};
-    const double phi_i = phi_[Left(e)], phi_j = phi_[Right(e)];
-    const double sin_i = std::sin(phi_i), sin_j = std::sin(phi_j);
-    return {sin_i * sin_j / std::sin(phi_i + phi_j), std::log(sin_j / sin_i)};
+  using Values = std::array<double, kChunk>;
+
+  /// sin phi on the left and right of edges, of which phi is given.
+  struct Sides {
+    Values left, right;
+
+    /// log(sin right / sin left), once both are sines.
+    Values LogRatio(std::size_t size) const {
+      Values ratio, logarithm;
+      for (std::size_t k = 0; k < size; ++k) ratio[k] = right[k] / left[k];
+      Logarithms({ratio.data(), size}, {logarithm.data(), size});
+      return logarithm;
+    }
+    void TakeSines(std::size_t size) {
+      Sines({left.data(), size}, {left.data(), size});
+      Sines({right.data(), size}, {right.data(), size});
+    }
+  };
+
+  /// The angles beside edges after a share of a step; of the boundary a right one to go on with.
+  Sides AnglesAfter(Index first, Index end, double share, const Eigen::VectorXd* step) const {
+    Sides phi;
+    for (Index e = first; e < end; ++e) {
+      const double moved = step ? share * (*step)[e] : 0;
+      phi.left[e - first] = phi_[Left(e)] + moved;
+      phi.right[e - first] =
+          IsInterior(e) ? phi_[Right(e)] - moved : (kPi - phi.left[e - first]) / 2;
+    }
+    return phi;
+  }
+
+  void MeasureSprings() {
+    springs_.resize(t_.num_edges());
+    ParallelChunks(t_.num_edges(), [&](Index first, Index end) {
+      const auto size = static_cast<std::size_t>(end - first);
+      Sides sides = AnglesAfter(first, end, 0, nullptr);
+      Values sum;
+      for (std::size_t k = 0; k < size; ++k) sum[k] = sides.left[k] + sides.right[k];
+      Sines({sum.data(), size}, {sum.data(), size});
+      sides.TakeSines(size);
+      const Values log_ratio = sides.LogRatio(size);
+      for (Index e = first; e < end; ++e) {
+        const Index k = e - first;
+        springs_[e] = IsInterior(e) ? Spring{sides.left[k] * sides.right[k] / sum[k], log_ratio[k]}
+                                    : Spring();
+      }
+    });
   }
 
   double StepOf(Index e, const Eigen::VectorXd& rho) const {
     if (!IsInterior(e)) return 0;
-    const Spring spring = SpringOf(e);
+    const Spring& spring = springs_[e];
     const double difference =
         rho[Triangulation::Face(Left(e))] - rho[Triangulation::Face(Right(e))];
     return spring.weight * (spring.log_ratio - difference);
@@ -97,17 +143,24 @@ class Volume {
 
   /// dV/dt after a share t of the step.
   double SlopeAt(double t, const Eigen::VectorXd& step) const {
-    return domain_.Sum(ParallelSum(t_.num_edges(), [&](Index e) {
-      if (!IsInterior(e) || !domain_.Counts(Triangulation::Face(Left(e)))) return 0.0;
-      return step[e] * std::log(std::sin(phi_[Right(e)] - t * step[e]) /
-                                std::sin(phi_[Left(e)] + t * step[e]));
-    }));
+    return domain_.Sum(
+        ParallelSumOfChunks(t_.num_edges(), [&](Index first, Index end, CompensatedSum* sum) {
+          const auto size = static_cast<std::size_t>(end - first);
+          Sides sides = AnglesAfter(first, end, t, &step);
+          sides.TakeSines(size);
+          const Values log_ratio = sides.LogRatio(size);
+          for (Index e = first; e < end; ++e) {
+            if (!IsInterior(e) || !domain_.Counts(Triangulation::Face(Left(e)))) continue;
+            *sum += step[e] * log_ratio[e - first];
+          }
+        }));
   }
 
   const Triangulation& t_;
   const DualLaplacian& laplacian_;
   VolumeDomain& domain_;
-  Eigen::VectorXd phi_;  ///< per halfedge, the corner angle opposite it [rad]
+  Eigen::VectorXd phi_;          ///< per halfedge, the corner angle opposite it [rad]
+  std::vector<Spring> springs_;  ///< of edges, at these angles
 };
 
 /// All on this process.

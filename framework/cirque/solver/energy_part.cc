@@ -63,7 +63,7 @@ void EnergyPart::Take() {
 /// Part by part: the first rank never has more than two at a time.
 void EnergyPart::HandOut() {
   const EnergySource& source = *call.source;
-  const MeshParts parts(source.triangulation(), source.VertexParameters(), ranks_.num_ranks());
+  const MeshPartition parts(source.triangulation(), source.VertexParameters(), ranks_.num_ranks());
   const std::vector<int> gauge = source.GaugeParameters();
   of_part_.resize(ranks_.num_ranks());
   own_.resize(ranks_.num_ranks());

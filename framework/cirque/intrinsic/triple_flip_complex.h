@@ -17,16 +17,16 @@ struct LowerDigits {
 
 /// FlipComplex::Flip of h to a length with three times a double's digits, whose lower ones `lower` has,
 /// of halfedges.
-void FlipExtended(Index h, const TripleDouble& length, FlipComplex* complex,
-                  std::vector<LowerDigits>* lower);
+void FlipTriple(Index h, const TripleDouble& length, FlipComplex* complex,
+                std::vector<LowerDigits>* lower);
 
 /// A Euclidean metric whose lengths have three times a double's digits, while its edges are flipped. A vertex
 /// that lies h off the side opposite it, of length 1, is in the lengths' digits below h^2: doubles no
 /// longer have one that is 1e-8 away, nor a needle's that is 1e-16 wide.
-class ExtendedComplex {
+class TripleFlipComplex {
  public:
   /// `lengths`: E.
-  ExtendedComplex(const Triangulation& triangulation, const std::vector<TripleDouble>& lengths);
+  TripleFlipComplex(const Triangulation& triangulation, const std::vector<TripleDouble>& lengths);
 
   Index twin(Index h) const { return complex_.twin(h); }
   const FlipComplex& complex() const { return complex_; }  ///< lengths rounded to doubles

@@ -1,5 +1,5 @@
 // Quadrilaterals in the plane whose shape lies in digits that doubles do not have.
-#include "cirque/intrinsic/extended_complex.h"
+#include "cirque/intrinsic/triple_flip_complex.h"
 
 #include <cmath>
 
@@ -39,10 +39,10 @@ struct Quadrilateral {
 /// Apexes at 0.3 and 0.9 on either side of a diagonal of 2 w.
 Quadrilateral Kite(double w) { return {2 * w, Hypotenuse(0.3, w), Hypotenuse(0.9, w)}; }
 
-TEST(ExtendedComplex, TurnsAKitesShortDiagonalHoweverShort) {
+TEST(TripleFlipComplex, TurnsAKitesShortDiagonalHoweverShort) {
   for (const double w : {0.5, 1e-3, 4e-9, 1e-12}) {
     const Quadrilateral kite = Kite(w);
-    ExtendedComplex metric(kite.t, kite.length);
+    TripleFlipComplex metric(kite.t, kite.length);
     ASSERT_TRUE(metric.Turn(kite.h)) << w;
     EXPECT_NEAR(metric.complex().length(kite.h), 0.3 + 0.9, 4e-16);
     for (const Index h : {kite.h, metric.twin(kite.h)}) {
@@ -54,21 +54,21 @@ TEST(ExtendedComplex, TurnsAKitesShortDiagonalHoweverShort) {
   }
 }
 
-TEST(ExtendedComplex, TurnsWhatDoublesCannot) {
+TEST(TripleFlipComplex, TurnsWhatDoublesCannot) {
   int refused = 0;
   for (int i = 1; i <= 50; ++i) {
     const Quadrilateral kite = Kite(1e-10 * i);
     EdgeLengths rounded{Eigen::VectorXd(kite.t.num_edges())};
     for (Index e = 0; e < kite.t.num_edges(); ++e) rounded.value[e] = kite.length[e].Value();
     refused += FlipComplex(kite.t, rounded).OtherDiagonal(kite.h).has_value() ? 0 : 1;
-    EXPECT_TRUE(ExtendedComplex(kite.t, kite.length).Turn(kite.h)) << i;
+    EXPECT_TRUE(TripleFlipComplex(kite.t, kite.length).Turn(kite.h)) << i;
   }
   EXPECT_GT(refused, 0);
 }
 
-TEST(ExtendedComplex, TwoTurnsAreNone) {
+TEST(TripleFlipComplex, TwoTurnsAreNone) {
   const Quadrilateral kite = Kite(0.2);
-  ExtendedComplex metric(kite.t, kite.length);
+  TripleFlipComplex metric(kite.t, kite.length);
   ASSERT_TRUE(metric.Turn(kite.h));
   ASSERT_TRUE(metric.Turn(kite.h));
   // Each side of the diagonal has the other's face then.
@@ -80,7 +80,7 @@ TEST(ExtendedComplex, TwoTurnsAreNone) {
   }
 }
 
-TEST(ExtendedComplex, LeavesWhatIsNotConvex) {
+TEST(TripleFlipComplex, LeavesWhatIsNotConvex) {
   // Both apexes so near the diagonal's line that its ends stay where they are, one beyond them.
   const Surface dented = Moved(FlatStrip(1, 1), [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     return x.x() > 0.5 && x.y() > 0.5 ? Eigen::Vector3d(0.2, 0.2, 0) : x;
@@ -91,7 +91,7 @@ TEST(ExtendedComplex, LeavesWhatIsNotConvex) {
   while (t.IsBoundaryEdge(e)) ++e;
   const Index h = t.edge_halfedge[e];
   const std::vector<TripleDouble> extended(lengths.value.begin(), lengths.value.end());
-  ExtendedComplex metric(t, extended);
+  TripleFlipComplex metric(t, extended);
   const bool convex = FlipComplex(t, lengths).OtherDiagonal(h).has_value();
   EXPECT_EQ(metric.Turn(h), convex);
   EXPECT_FALSE(convex);

@@ -1,4 +1,4 @@
-#include "cirque/intrinsic/extended_complex.h"
+#include "cirque/intrinsic/triple_flip_complex.h"
 
 #include <cmath>
 
@@ -39,8 +39,8 @@ bool HasArea(const TripleDouble& a, const TripleDouble& b, const TripleDouble& c
 
 }  // namespace
 
-void FlipExtended(Index h, const TripleDouble& length, FlipComplex* complex,
-                  std::vector<LowerDigits>* lower) {
+void FlipTriple(Index h, const TripleDouble& length, FlipComplex* complex,
+                std::vector<LowerDigits>* lower) {
   const Index g = complex->twin(h);
   std::vector<LowerDigits>& of = *lower;
   const LowerDigits moved[4] = {of[Next(h)], of[Prev(h)], of[Next(g)], of[Prev(g)]};
@@ -52,7 +52,8 @@ void FlipExtended(Index h, const TripleDouble& length, FlipComplex* complex,
   of[h] = of[g] = {length.middle, length.low};
 }
 
-ExtendedComplex::ExtendedComplex(const Triangulation& t, const std::vector<TripleDouble>& lengths)
+TripleFlipComplex::TripleFlipComplex(const Triangulation& t,
+                                     const std::vector<TripleDouble>& lengths)
     : complex_(t, Rounded(lengths)), lower_(t.num_halfedges()) {
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     const TripleDouble& length = lengths[t.edge[h]];
@@ -60,14 +61,16 @@ ExtendedComplex::ExtendedComplex(const Triangulation& t, const std::vector<Tripl
   }
 }
 
-TripleDouble ExtendedComplex::Length(Index h) const { return lower_[h].Below(complex_.length(h)); }
+TripleDouble TripleFlipComplex::Length(Index h) const {
+  return lower_[h].Below(complex_.length(h));
+}
 
-double ExtendedComplex::Angle(Index h) const {
+double TripleFlipComplex::Angle(Index h) const {
   const HalfAngle half(Length(h), Length(Next(h)), Length(Prev(h)));
   return 2 * std::atan2(std::sqrt(half.sine.high), std::sqrt(half.cosine.high));
 }
 
-bool ExtendedComplex::IsConvexAtTail(Index h) const {
+bool TripleFlipComplex::IsConvexAtTail(Index h) const {
   // tan^2(x / 2) tan^2(y / 2) < 1 exactly when x + y < pi.
   const Index g = twin(h);
   const HalfAngle left(Length(Next(h)), Length(h), Length(Prev(h)));
@@ -75,7 +78,7 @@ bool ExtendedComplex::IsConvexAtTail(Index h) const {
   return left.IsProper() && right.IsProper() && left.sine * right.sine < left.cosine * right.cosine;
 }
 
-TripleDouble ExtendedComplex::OtherDiagonal(Index h) const {
+TripleDouble TripleFlipComplex::OtherDiagonal(Index h) const {
   // z^2 = (x - y)^2 + 4 x y sin^2(half the angle at the tail), where x and y come out of the sine.
   const Index g = twin(h);
   const TripleDouble x = Length(Prev(h)), y = Length(Next(g));
@@ -85,14 +88,14 @@ TripleDouble ExtendedComplex::OtherDiagonal(Index h) const {
   return Sqrt((x - y) * (x - y) + across * across);
 }
 
-bool ExtendedComplex::Turn(Index h) {
+bool TripleFlipComplex::Turn(Index h) {
   const Index g = twin(h);
   if (!IsConvexAtTail(h) || !IsConvexAtTail(g)) return false;
   const TripleDouble length = OtherDiagonal(h);
   const bool has_areas = HasArea(Length(Prev(h)), Length(Next(g)), length) &&
                          HasArea(Length(Next(h)), Length(Prev(g)), length);
   if (!has_areas) return false;
-  FlipExtended(h, length, &complex_, &lower_);
+  FlipTriple(h, length, &complex_, &lower_);
   return true;
 }
 

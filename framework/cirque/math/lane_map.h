@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "cirque/math/lanes.h"
+
+namespace cirque {
+
+/// A function of N numbers at every place of N arrays, kLanes places at a time. `Function` has
+///   static constexpr std::size_t kInputs;                              N
+///   static bool IsOrdinary(const std::array<double, N>& x);            what Of is made for
+///   template <class T> static T Of(const std::array<T, N>& x);         of doubles or Lanes
+///   static double OfAny(const std::array<double, N>& x);               Of, and what is not ordinary
+/// Sources that call MapLanes are compiled with -Wno-psabi: what Lanes are passed to is inlined.
+namespace lanes {
+
+/// Places that are ordinary or not together.
+constexpr std::size_t kRun = 64;
+
+template <class Function>
+using Inputs = std::array<const double*, Function::kInputs>;
+
+template <class T, std::size_t N>
+[[gnu::always_inline]] inline std::array<T, N> Load(const std::array<const double*, N>& in,
+                                                    std::size_t place) {
+  std::array<T, N> x;
+  for (std::size_t k = 0; k < N; ++k) std::memcpy(&x[k], in[k] + place, sizeof(T));
+  return x;
+}
+
+template <class Function>
+[[gnu::always_inline]] inline void MapRun(const Inputs<Function>& in, std::size_t begin,
+                                          std::size_t end, double* out) {
+  bool ordinary = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    ordinary &= Function::IsOrdinary(Load<double>(in, i));
+  }
+  for (; ordinary && begin + kLanes <= end; begin += kLanes) {
+    const Lanes result = Function::Of(Load<Lanes>(in, begin));
+    std::memcpy(out + begin, &result, sizeof(result));
+  }
+  for (; begin < end; ++begin) out[begin] = Function::OfAny(Load<double>(in, begin));
+}
+
+template <class Function>
+[[gnu::always_inline]] inline void MapAll(const Inputs<Function>& in, std::size_t n, double* out) {
+  for (std::size_t i = 0; i < n; i += kRun) MapRun<Function>(in, i, std::min(n, i + kRun), out);
+}
+
+#ifdef __x86_64__
+template <class Function>
+[[gnu::target("avx2")]] void MapByAvx2(const Inputs<Function>& in, std::size_t n, double* out) {
+  MapAll<Function>(in, n, out);
+}
+#endif
+
+}  // namespace lanes
+
+template <class Function>
+void MapLanes(const lanes::Inputs<Function>& in, std::size_t n, double* out) {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) return lanes::MapByAvx2<Function>(in, n, out);
+#endif
+  lanes::MapAll<Function>(in, n, out);
+}
+
+}  // namespace cirque
