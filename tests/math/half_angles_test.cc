@@ -37,6 +37,27 @@ TEST(HalfAngles, AreThoseOfSingleEdges) {
   }
 }
 
+// Also where theta or theta* is tiny: relative errors of a few last places.
+TEST(HalfAngles, IntersectionAnglesAreThoseOfSingleEdges) {
+  std::vector<double> alpha_i, alpha_j;
+  for (const double a : {1e-9, 1e-3, 0.4, 1.2, 2.0, 3.0}) {
+    for (const double b : {1e-9, 1e-6, 0.1, 0.5, 1.0, kPi - a - 1e-3, kPi - a - 1e-8}) {
+      if (!(b > 0 && a + b < kPi)) continue;
+      alpha_i.push_back(a);
+      alpha_j.push_back(b);
+    }
+  }
+  std::vector<CircleAngle> angle(alpha_i.size());
+  CircleAngles(alpha_i, alpha_j, angle);
+  EXPECT_GT(angle.size(), 30u);
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const CircleAngle single = CircleAngle::FromCorners(alpha_i[i], alpha_j[i]);
+    EXPECT_EQ(angle[i].theta, single.theta);
+    EXPECT_NEAR(angle[i].sine / single.sine, 1, 1e-15);
+    EXPECT_NEAR(angle[i].one_minus_cosine / single.one_minus_cosine, 1, 1e-15);
+  }
+}
+
 TEST(HalfAngles, GiveTheValueOfThePotential) {
   for (const double theta : {1e-9, 0.3, 2.0, 3.1}) {
     for (const double d : {-20.0, -0.4, 0.0, 1e-9, 3.0}) {

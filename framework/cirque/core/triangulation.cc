@@ -109,18 +109,20 @@ Triangulation CutOpen(const Triangulation& t, const Cut& cut) {
 Patches ConnectedPatches(const Triangulation& t) {
   Patches patches;
   patches.of_face.assign(t.num_faces(), kNone);
-  std::vector<Index> queue;
+  std::vector<Index> stack;
   for (Index seed = 0; seed < t.num_faces(); ++seed) {
     if (patches.of_face[seed] != kNone) continue;
     patches.of_face[seed] = patches.count;
-    queue.assign(1, seed);
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      for (Index h = 3 * queue[head]; h < 3 * queue[head] + 3; ++h) {
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const Index face = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
         if (t.twin[h] == kNone) continue;
-        Index& patch = patches.of_face[Triangulation::Face(t.twin[h])];
-        if (patch != kNone) continue;
-        patch = patches.count;
-        queue.push_back(Triangulation::Face(t.twin[h]));
+        const Index other = Triangulation::Face(t.twin[h]);
+        if (patches.of_face[other] != kNone) continue;
+        patches.of_face[other] = patches.count;
+        stack.push_back(other);
       }
     }
     ++patches.count;

@@ -38,10 +38,20 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     } else {
       CHECK_GT(angles.value[g], 0) << "corner " << g;
       CHECK_LT(alpha + angles.value[g], kPi) << "halfedge " << h;
-      edges_.push_back(
-          {h, g, alpha, angles.value[g], CircleAngle::FromCorners(alpha, angles.value[g])});
+      edges_.push_back({h, g, alpha, angles.value[g], {}});
     }
   }
+  ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
+    std::array<double, kChunk> alpha_i, alpha_j;
+    std::array<CircleAngle, kChunk> angle;
+    const auto size = static_cast<std::size_t>(end - first);
+    for (int k = first; k < end; ++k) {
+      alpha_i[k - first] = edges_[k].alpha_i;
+      alpha_j[k - first] = edges_[k].alpha_j;
+    }
+    CircleAngles({alpha_i.data(), size}, {alpha_j.data(), size}, {angle.data(), size});
+    for (int k = first; k < end; ++k) edges_[k].angle = angle[k - first];
+  });
 }
 
 double CirclePatternEnergy::InteriorEdge::natural_d() const {

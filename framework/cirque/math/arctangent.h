@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cirque/core/types.h"
-#include "cirque/math/lanes.h"
+#include "cirque/core/lanes.h"
 #include "cirque/math/pi.h"
 
 namespace cirque {

@@ -25,11 +25,15 @@ CircleAngle CircleAngle::FromExterior(double theta) {
   return {theta, 2.0 * sine * cosine, 2.0 * Square(sine)};
 }
 
-CircleAngle CircleAngle::FromCorners(double alpha_i, double alpha_j) {
+double CircleAngle::Theta(double alpha_i, double alpha_j) {
   const double sum = alpha_i + alpha_j;
   const double rounded_j = sum - alpha_i;
   const double error = (alpha_i - (sum - rounded_j)) + (alpha_j - rounded_j);
-  const double theta = (kPi - sum) + (kPiLow - error);
+  return (kPi - sum) + (kPiLow - error);
+}
+
+CircleAngle CircleAngle::FromCorners(double alpha_i, double alpha_j) {
+  const double theta = Theta(alpha_i, alpha_j), sum = alpha_i + alpha_j;
   if (theta < 0.5 * kPi) return FromExterior(theta);
   const double sine = std::sin(0.5 * sum), cosine = std::cos(0.5 * sum);
   return {theta, 2.0 * sine * cosine, 2.0 * Square(cosine)};

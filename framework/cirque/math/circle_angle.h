@@ -22,6 +22,9 @@ struct CircleAngle {
   /// theta = pi - alpha_i - alpha_j, alpha_i and alpha_j > 0 the angles opposite the edge; their
   /// sum is rounded only in the result.
   static CircleAngle FromCorners(double alpha_i, double alpha_j);
+
+  /// That theta alone.
+  static double Theta(double alpha_i, double alpha_j);
 };
 
 /// Half the angle [rad] under which face i sees the edge,

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cirque/math/lanes.h"
+#include "cirque/core/lanes.h"
 
 namespace cirque {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "cirque/math/lanes.h"
+#include "cirque/core/lanes.h"
 
 namespace cirque {
 
@@ -14,7 +14,6 @@ namespace cirque {
 ///   static bool IsOrdinary(const std::array<double, N>& x);            what Of is made for
 ///   template <class T> static T Of(const std::array<T, N>& x);         of doubles or Lanes
 ///   static double OfAny(const std::array<double, N>& x);               Of, and what is not ordinary
-/// Sources that call MapLanes are compiled with -Wno-psabi: what Lanes are passed to is inlined.
 namespace lanes {
 
 /// Places that are ordinary or not together.
@@ -45,26 +44,15 @@ template <class Function>
   for (; begin < end; ++begin) out[begin] = Function::OfAny(Load<double>(in, begin));
 }
 
-template <class Function>
-[[gnu::always_inline]] inline void MapAll(const Inputs<Function>& in, std::size_t n, double* out) {
-  for (std::size_t i = 0; i < n; i += kRun) MapRun<Function>(in, i, std::min(n, i + kRun), out);
-}
-
-#ifdef __x86_64__
-template <class Function>
-[[gnu::target("avx2")]] void MapByAvx2(const Inputs<Function>& in, std::size_t n, double* out) {
-  MapAll<Function>(in, n, out);
-}
-#endif
-
 }  // namespace lanes
 
 template <class Function>
 void MapLanes(const lanes::Inputs<Function>& in, std::size_t n, double* out) {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return lanes::MapByAvx2<Function>(in, n, out);
-#endif
-  lanes::MapAll<Function>(in, n, out);
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < n; i += lanes::kRun) {
+      lanes::MapRun<Function>(in, i, std::min(n, i + lanes::kRun), out);
+    }
+  });
 }
 
 }  // namespace cirque

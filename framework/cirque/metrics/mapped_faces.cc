@@ -8,6 +8,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/math/arctangent.h"
+#include "cirque/math/elementary.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
@@ -47,13 +48,15 @@ double LongestImageEdge(const CornerUv& uv) {
   return longest;
 }
 
-/// The singular values of the map that takes the triangle with sides b and c about its corner angle
-/// to image edges p (of side c) and q: half the sum and the difference of the moduli of twice the
-/// conformal and the anticonformal part of its differential, the difference by the determinant.
+/// The singular values of the map that takes the triangle with sides b and c about its corner angle, of
+/// at most pi / 3, to image edges p (of side c) and q: half the sum and the difference of the moduli of
+/// twice the conformal and the anticonformal part of its differential, the difference by the
+/// determinant.
 void MeasureSingularValues(double b, double c, double angle, const Vector2d& p, const Vector2d& q,
                            FaceMeasure* m) {
-  const Vector2d x = p / c, y = (q / b - std::cos(angle) * x) / std::sin(angle);
-  m->area = b * c * std::sin(angle) / 2;
+  const double sine = SineToPi(angle), cosine = std::sqrt((1 - sine) * (1 + sine));
+  const Vector2d x = p / c, y = (q / b - cosine * x) / sine;
+  m->area = b * c * sine / 2;
   m->image_area = std::abs(Cross(p, q)) / 2;
   const double conformal = std::hypot(x.x() + y.y(), x.y() - y.x());
   const double anticonformal = std::hypot(x.x() - y.y(), x.y() + y.x());

@@ -1,7 +1,9 @@
 #include "cirque/radii/solve_log_radii.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +14,9 @@
 #include "cirque/math/circle_angle.h"
 #include "cirque/math/clausen.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/elementary_arrays.h"
+#include "cirque/math/half_angles.h"
+#include "cirque/math/parallel_chunks.h"
 #include "cirque/radii/pattern_part.h"
 #include "cirque/radii/pattern_volume.h"
 #include "cirque/solver/energy_on_ranks.h"
@@ -150,14 +155,33 @@ Status SolveLogRadii(const Triangulation& t, const CoherentAngles& angles,
 
 CornerAngles FlatCornerAngles(const Triangulation& t, const CoherentAngles& angles,
                               const LogRadii& log_radii) {
-  CornerAngles flat;
-  flat.value.resize(t.num_halfedges());
-  ParallelFor(t.num_halfedges(), [&](Index h) {
-    const Index g = t.twin[h];
-    const Index i = Triangulation::Face(h), j = g == kNone ? i : Triangulation::Face(g);
-    const double theta = g == kNone ? 0 : kPi - angles.value[h] - angles.value[g];
-    flat.value[h] = theta < kOneCircle ? angles.value[h]
-                                       : HalfAngle(log_radii.value[i] - log_radii.value[j], theta);
+  CornerAngles flat{angles.value};  // on the boundary they stay
+  const auto difference = [&](Index h) {
+    return log_radii.value[Triangulation::Face(h)] -
+           log_radii.value[Triangulation::Face(t.twin[h])];
+  };
+  ParallelChunks(t.num_halfedges(), [&](Index first, Index end) {
+    std::array<double, kChunk> alpha, across, d, sine, one_minus_cosine, phi;
+    std::array<CircleAngle, kChunk> angle;
+    std::array<Index, kChunk> corner;
+    std::size_t size = 0;
+    for (Index h = first; h < end; ++h) {
+      if (t.twin[h] == kNone) continue;
+      corner[size] = h;
+      alpha[size] = angles.value[h];
+      across[size] = angles.value[t.twin[h]];
+      d[size++] = difference(h);
+    }
+    CircleAngles({alpha.data(), size}, {across.data(), size}, {angle.data(), size});
+    for (std::size_t k = 0; k < size; ++k) {
+      sine[k] = angle[k].sine;
+      one_minus_cosine[k] = angle[k].one_minus_cosine;
+    }
+    HalfAngles({d.data(), size}, {sine.data(), size}, {one_minus_cosine.data(), size},
+               {phi.data(), size});
+    for (std::size_t k = 0; k < size; ++k) {
+      if (angle[k].theta >= kOneCircle) flat.value[corner[k]] = phi[k];
+    }
   });
   return flat;
 }
@@ -166,11 +190,20 @@ EdgeLengths FlatEdgeLengths(const Triangulation& t, const CornerAngles& flat,
                             const LogRadii& log_radii) {
   EdgeLengths lengths;
   lengths.value.resize(t.num_edges());
-  for (Index e = 0; e < t.num_edges(); ++e) {
-    const Index h = t.edge_halfedge[e];
-    lengths.value[e] =
-        2 * std::exp(log_radii.value[Triangulation::Face(h)]) * std::sin(flat.value[h]);
-  }
+  ParallelChunks(t.num_edges(), [&](Index first, Index end) {
+    std::array<double, kChunk> log_radius, angle;
+    const auto size = static_cast<std::size_t>(end - first);
+    for (Index e = first; e < end; ++e) {
+      const Index h = t.edge_halfedge[e];
+      log_radius[e - first] = log_radii.value[Triangulation::Face(h)];
+      angle[e - first] = flat.value[h];
+    }
+    Exponentials({log_radius.data(), size}, {log_radius.data(), size});
+    Sines({angle.data(), size}, {angle.data(), size});
+    for (Index e = first; e < end; ++e) {
+      lengths.value[e] = 2 * log_radius[e - first] * angle[e - first];
+    }
+  });
   return lengths;
 }
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "cirque/core/lanes.h"
 #include "cirque/core/parallel.h"
 
 // NOLINTBEGIN(readability-identifier-naming): the names of BLAS and LAPACK
@@ -133,20 +134,40 @@ bool FactorTrapezoidInParallel(const DenseTrapezoid& t) {
 }
 
 void SolveWithTrapezoid(const DenseTrapezoid& t, double* w) {
-  for (int j = 0; j < t.columns; ++j) {
-    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
-    w[j] /= column[j];
-    for (int i = j + 1; i < t.rows; ++i) w[i] -= w[j] * column[i];
-  }
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (int j = 0; j < t.columns; ++j) {
+      const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+      const double solved = w[j] /= column[j];
+      for (int i = j + 1; i < t.rows; ++i) w[i] -= solved * column[i];
+    }
+  });
 }
 
-void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
-  for (int j = t.columns; j-- > 0;) {
-    const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
-    const int below = t.rows - j - 1;
-    const Eigen::Map<const Eigen::VectorXd> entries(column + j + 1, below), of_w(w + j + 1, below);
-    w[j] = (w[j] - entries.dot(of_w)) / column[j];
+namespace {
+
+[[gnu::always_inline]] inline double Dot(const double* a, const double* b, int n) {
+  constexpr int kStep = 2 * kLanes;
+  Lanes even{}, odd{};
+  int i = 0;
+  for (; i + kStep <= n; i += kStep) {
+    even += lanes::Load(a + i) * lanes::Load(b + i);
+    odd += lanes::Load(a + i + kLanes) * lanes::Load(b + i + kLanes);
   }
+  even += odd;
+  double sum = (even[0] + even[1]) + (even[2] + even[3]);
+  for (; i < n; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (int j = t.columns; j-- > 0;) {
+      const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+      w[j] = (w[j] - Dot(column + j + 1, w + j + 1, t.rows - j - 1)) / column[j];
+    }
+  });
 }
 
 namespace {

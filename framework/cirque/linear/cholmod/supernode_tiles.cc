@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <type_traits>
 #include <vector>
+
+#include "cirque/core/lanes.h"
 
 namespace cirque {
 namespace {
@@ -11,19 +14,19 @@ namespace {
 constexpr int kRows = SupernodeTiles::kRows;
 constexpr int kAhead = 512;  ///< numbers; fewer come too late, the factor lies in main memory
 
-void ReadAhead(const float* numbers) {
+[[gnu::always_inline]] inline void ReadAhead(const float* numbers) {
 #ifdef __GNUC__
   __builtin_prefetch(numbers);
 #endif
 }
 
 /// Of a tile, as double: what is added up is never single.
-double At(const float* tile, int row, int column) {
+[[gnu::always_inline]] inline double At(const float* tile, int row, int column) {
   return static_cast<double>(tile[kRows * column + row]);
 }
 
 template <int kWidth>
-void SolvePanel(const float* tile, int num_tiles, double* w) {
+[[gnu::always_inline]] inline void SolvePanel(const float* tile, int num_tiles, double* w) {
   std::array<double, kWidth> x;
   for (int j = 0; j < kWidth; ++j) {
     x[j] = w[j];
@@ -41,7 +44,8 @@ void SolvePanel(const float* tile, int num_tiles, double* w) {
 }
 
 template <int kWidth>
-void SolvePanelTransposed(const float* first_tile, int num_tiles, double* w) {
+[[gnu::always_inline]] inline void SolvePanelTransposed(const float* first_tile, int num_tiles,
+                                                        double* w) {
   double sum[kWidth][kRows] = {};
   for (int t = num_tiles; --t > 0;) {
     const float* tile = first_tile + kRows * kWidth * t;
@@ -57,12 +61,20 @@ void SolvePanelTransposed(const float* first_tile, int num_tiles, double* w) {
   }
 }
 
-using PanelSolve = void (*)(const float* tiles, int num_tiles, double* w);
-constexpr std::array<PanelSolve, 5> kSolvePanel = {nullptr, SolvePanel<1>, SolvePanel<2>,
-                                                   SolvePanel<3>, SolvePanel<4>};
-constexpr std::array<PanelSolve, 5> kSolvePanelTransposed = {
-    nullptr, SolvePanelTransposed<1>, SolvePanelTransposed<2>, SolvePanelTransposed<3>,
-    SolvePanelTransposed<4>};
+/// Calls body(width) with the constant that width is.
+template <class Body>
+[[gnu::always_inline]] inline void WithWidth(int width, const Body& body) {
+  switch (width) {
+    case 1:
+      return body(std::integral_constant<int, 1>());
+    case 2:
+      return body(std::integral_constant<int, 2>());
+    case 3:
+      return body(std::integral_constant<int, 3>());
+    default:
+      return body(std::integral_constant<int, 4>());
+  }
+}
 
 }  // namespace
 
@@ -93,18 +105,28 @@ void SupernodeTiles::Store(const double* dense, float* tiles) const {
 }
 
 void SupernodeTiles::Solve(const float* tiles, double* w) const {
-  for (int k = 0; k < columns_; k += kPanelColumns) {
-    kSolvePanel[Width(k)](tiles, NumTiles(k), w + k);
-    tiles += PanelSize(k);
-  }
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (int k = 0; k < columns_; k += kPanelColumns) {
+      WithWidth(
+          Width(k), [&](auto width) __attribute__((always_inline)) {
+            SolvePanel<width>(tiles, NumTiles(k), w + k);
+          });
+      tiles += PanelSize(k);
+    }
+  });
 }
 
 void SupernodeTiles::SolveTransposed(const float* tiles, double* w) const {
   const float* end = tiles + Size();
-  for (int k = (columns_ - 1) / kPanelColumns * kPanelColumns; k >= 0; k -= kPanelColumns) {
-    end -= PanelSize(k);
-    kSolvePanelTransposed[Width(k)](end, NumTiles(k), w + k);
-  }
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (int k = (columns_ - 1) / kPanelColumns * kPanelColumns; k >= 0; k -= kPanelColumns) {
+      end -= PanelSize(k);
+      WithWidth(
+          Width(k), [&](auto width) __attribute__((always_inline)) {
+            SolvePanelTransposed<width>(end, NumTiles(k), w + k);
+          });
+    }
+  });
 }
 
 }  // namespace cirque

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace cirque {
 
@@ -29,6 +30,13 @@ template <class T>
 template <class W>
 [[gnu::always_inline]] inline Lanes FromBits(W bits) {
   return std::bit_cast<Lanes>(bits);
+}
+
+template <class T = Lanes>
+[[gnu::always_inline]] inline T Load(const double* from) {
+  T x;
+  std::memcpy(&x, from, sizeof(x));
+  return x;
 }
 
 template <class T>
@@ -74,6 +82,24 @@ template <class T>
   return {FromBits(ToBits(x) - exponent), FromBits(biased) - (0x1.8p52 + 1024)};
 }
 
+#ifdef __x86_64__
+template <class Body>
+[[gnu::target("avx2")]] inline void CallByAvx2(const Body& body) {
+  body();
+}
+#endif
+
 }  // namespace lanes
+
+/// Calls body(), compiled for lanes as wide as the processor has. `body`, and what it calls, is always
+/// inlined: [&]() __attribute__((always_inline)) { ... }. Sources of those that pass Lanes on are
+/// compiled with -Wno-psabi.
+template <class Body>
+inline void OnWideLanes(const Body& body) {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) return lanes::CallByAvx2(body);
+#endif
+  body();
+}
 
 }  // namespace cirque
