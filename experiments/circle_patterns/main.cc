@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <system_error>
 
 #include "cirque/core/parallel.h"
@@ -29,13 +30,13 @@ int Conclude(const Status& status) {
   return ExitStatus(status.code());
 }
 
-/// Whether the input, a file, has at most some 200,000 triangles. (A pipe may have any number.)
+/// Whether the input is a file of at most some 60,000 triangles as text, or 200,000 as numbers. (A pipe,
+/// or what is packed, may have any number.)
 bool IsSmall(const CirclePatternsJob& job) {
-  constexpr std::uintmax_t kSmallFile = 16 << 20;
-  std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(
-      job.input_con.empty() ? job.input : job.input_con, none);  // an error's is the largest
-  return size <= kSmallFile;
+  constexpr std::uintmax_t kSmallFile = 4 << 20;
+  const std::string& input = job.input_con.empty() ? job.input : job.input_con;
+  std::error_code none;  // with one the size is the largest
+  return !input.ends_with(".gz") && std::filesystem::file_size(input, none) <= kSmallFile;
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {
