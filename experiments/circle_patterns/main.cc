@@ -30,13 +30,15 @@ int Conclude(const Status& status) {
   return ExitStatus(status.code());
 }
 
-/// Whether the input is a file of at most some 60,000 triangles as text, or 200,000 as numbers. (A pipe,
-/// or what is packed, may have any number.)
+/// Whether the input is a file of at most some 200,000 triangles. (A pipe, or what is packed, may have any
+/// number.)
 bool IsSmall(const CirclePatternsJob& job) {
-  constexpr std::uintmax_t kSmallFile = 4 << 20;
+  constexpr std::uintmax_t kSmallText = 16 << 20, kSmallFile = 4 << 20;
   const std::string& input = job.input_con.empty() ? job.input : job.input_con;
+  const bool is_text = input.ends_with(".obj") || input.ends_with(".off");
   std::error_code none;  // with one the size is the largest
-  return !input.ends_with(".gz") && std::filesystem::file_size(input, none) <= kSmallFile;
+  const std::uintmax_t size = std::filesystem::file_size(input, none);
+  return !input.ends_with(".gz") && size <= (is_text ? kSmallText : kSmallFile);
 }
 
 Status Run(const CirclePatternsJob& job, const SolveControl& control, std::ostream& report) {

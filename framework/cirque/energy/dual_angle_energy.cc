@@ -1,8 +1,6 @@
 #include "cirque/energy/dual_angle_energy.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +8,6 @@
 #include "cirque/core/parallel.h"
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
-#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 namespace {
@@ -55,21 +52,14 @@ EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
 template <class Visit>
 double DualAngleEnergy::SumConjugates(const double* y, const Visit& visit) const {
   const int num_edges = constraints_.triangulation().num_edges();
-  if (objective_->TakesArrays()) {
-    std::vector<EdgeSlopes> edges(num_edges);
-    ParallelFor(num_edges, [&](Index e) { edges[e] = SlopesAt(e, y); });
-    std::vector<EdgeConjugate> conjugates(edges.size());
-    objective_->Conjugates(edges, epsilon_, conjugates);
-    return ParallelSum(num_edges, [&](Index e) { return visit(e, conjugates[e]); });
+  if (!objective_->TakesArrays()) {
+    return ParallelSum(num_edges, [&](Index e) { return visit(e, Conjugate(e, y)); });
   }
-  return ParallelSumOfChunks(num_edges, [&](Index first, Index end, CompensatedSum* sum) {
-    std::array<EdgeSlopes, kChunk> edges;
-    std::array<EdgeConjugate, kChunk> conjugates;
-    const auto size = static_cast<std::size_t>(end - first);
-    for (Index e = first; e < end; ++e) edges[e - first] = SlopesAt(e, y);
-    objective_->Conjugates({edges.data(), size}, epsilon_, {conjugates.data(), size});
-    for (Index e = first; e < end; ++e) *sum += visit(e, conjugates[e - first]);
-  });
+  std::vector<EdgeSlopes> edges(num_edges);
+  ParallelFor(num_edges, [&](Index e) { edges[e] = SlopesAt(e, y); });
+  std::vector<EdgeConjugate> conjugates(edges.size());
+  objective_->Conjugates(edges, epsilon_, conjugates);
+  return ParallelSum(num_edges, [&](Index e) { return visit(e, conjugates[e]); });
 }
 
 Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {
