@@ -30,10 +30,10 @@ int Conclude(const Status& status) {
   return ExitStatus(status.code());
 }
 
-/// Whether the input is a file of at most some 200,000 triangles. (A pipe, or what is packed, may have any
+/// Whether the input is a file of at most some 150,000 triangles. (A pipe, or what is packed, may have any
 /// number.)
 bool IsSmall(const CirclePatternsJob& job) {
-  constexpr std::uintmax_t kSmallText = 16 << 20, kSmallFile = 4 << 20;
+  constexpr std::uintmax_t kSmallText = 6 << 20, kSmallFile = 4 << 20;
   const std::string& input = job.input_con.empty() ? job.input : job.input_con;
   const bool is_text = input.ends_with(".obj") || input.ends_with(".off");
   std::error_code none;  // with one the size is the largest
