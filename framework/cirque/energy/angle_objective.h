@@ -73,6 +73,9 @@ class AngleObjective {
   /// dear, as of an objective in another language.
   virtual bool TakesArrays() const { return false; }
 
+  /// Whether a hundred edges side by side take it less than one after another.
+  virtual bool PrefersArrays() const { return false; }
+
   /// Distance and the conjugates of arrays of the same length.
   virtual void Distances(std::span<const double> references, std::span<const double> x,
                          std::span<ScalarJet> jets) const;

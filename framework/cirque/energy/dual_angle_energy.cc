@@ -1,6 +1,8 @@
 #include "cirque/energy/dual_angle_energy.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "cirque/core/parallel.h"
 #include "cirque/energy/edge_block_assembler.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 namespace {
@@ -52,14 +55,24 @@ EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
 template <class Visit>
 double DualAngleEnergy::SumConjugates(const double* y, const Visit& visit) const {
   const int num_edges = constraints_.triangulation().num_edges();
-  if (!objective_->TakesArrays()) {
+  if (objective_->TakesArrays()) {
+    std::vector<EdgeSlopes> edges(num_edges);
+    ParallelFor(num_edges, [&](Index e) { edges[e] = SlopesAt(e, y); });
+    std::vector<EdgeConjugate> conjugates(edges.size());
+    objective_->Conjugates(edges, epsilon_, conjugates);
+    return ParallelSum(num_edges, [&](Index e) { return visit(e, conjugates[e]); });
+  }
+  if (!objective_->PrefersArrays()) {
     return ParallelSum(num_edges, [&](Index e) { return visit(e, Conjugate(e, y)); });
   }
-  std::vector<EdgeSlopes> edges(num_edges);
-  ParallelFor(num_edges, [&](Index e) { edges[e] = SlopesAt(e, y); });
-  std::vector<EdgeConjugate> conjugates(edges.size());
-  objective_->Conjugates(edges, epsilon_, conjugates);
-  return ParallelSum(num_edges, [&](Index e) { return visit(e, conjugates[e]); });
+  return ParallelSumOfChunks(num_edges, [&](Index first, Index end, CompensatedSum* sum) {
+    std::array<EdgeSlopes, kChunk> edges;
+    std::array<EdgeConjugate, kChunk> conjugates;
+    const auto size = static_cast<std::size_t>(end - first);
+    for (Index e = first; e < end; ++e) edges[e - first] = SlopesAt(e, y);
+    objective_->Conjugates({edges.data(), size}, epsilon_, {conjugates.data(), size});
+    for (Index e = first; e < end; ++e) *sum += visit(e, conjugates[e - first]);
+  });
 }
 
 Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {

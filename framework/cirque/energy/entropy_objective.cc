@@ -1,11 +1,17 @@
 #include "cirque/energy/entropy_objective.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+
+#include <glog/logging.h>
 
 #include "cirque/core/types.h"
 #include "cirque/math/elementary.h"
+#include "cirque/math/elementary_arrays.h"
 #include "cirque/math/itakura_saito.h"
+#include "cirque/math/parallel_chunks.h"
 
 namespace cirque {
 
@@ -35,9 +41,9 @@ EntropyAngle EntropyAt(double x, double reference, double s) {
   return {x, 0, (s - std::log(x / reference)) * x + x - reference};
 }
 
-/// That over x >= least.
-EntropyAngle EntropyAbove(double least, double reference, double s) {
-  const double free = reference * ExponentialOfAny(s);
+/// That over x >= least, given e^s.
+EntropyAngle EntropyAbove(double least, double reference, double s, double exponential) {
+  const double free = reference * exponential;
   return free >= least ? EntropyAngle{free, free, free - reference}
                        : EntropyAt(least, reference, s);
 }
@@ -66,22 +72,51 @@ EdgeConjugate EntropyOnSum(double ref_l, double ref_r, const EdgeMargins& margin
 
 }  // namespace
 
-EdgeConjugate EntropyObjective::InteriorConjugate(double raw_l, double raw_r, double epsilon,
-                                                  double s_l, double s_r) const {
-  const double ref_l = ClampReference(raw_l, epsilon), ref_r = ClampReference(raw_r, epsilon);
-  const EdgeMargins margins = Margins(raw_l, raw_r, epsilon);
-  const EntropyAngle l = EntropyAbove(margins.l, ref_l, s_l);
-  const EntropyAngle r = EntropyAbove(margins.r, ref_r, s_r);
-  if (l.x + r.x > kPi - margins.theta) return EntropyOnSum(ref_l, ref_r, margins, s_l, s_r);
+EdgeConjugate EntropyObjective::ConjugateOf(const EdgeSlopes& edge, double epsilon, double exp_l,
+                                            double exp_r) const {
+  const double ref_l = ClampReference(edge.ref_l, epsilon);
+  if (edge.is_boundary) {
+    const EdgeMargins margins = Margins(edge.ref_l, epsilon);
+    EntropyAngle a = EntropyAbove(margins.l, ref_l, edge.s_l, exp_l);
+    if (a.x > kPi - margins.theta) a = EntropyAt(kPi - margins.theta, ref_l, edge.s_l);
+    return {a.value, a.x, 0, a.h, 0, 0};
+  }
+  const double ref_r = ClampReference(edge.ref_r, epsilon);
+  const EdgeMargins margins = Margins(edge.ref_l, edge.ref_r, epsilon);
+  const EntropyAngle l = EntropyAbove(margins.l, ref_l, edge.s_l, exp_l);
+  const EntropyAngle r = EntropyAbove(margins.r, ref_r, edge.s_r, exp_r);
+  if (l.x + r.x > kPi - margins.theta) {
+    return EntropyOnSum(ref_l, ref_r, margins, edge.s_l, edge.s_r);
+  }
   return {l.value + r.value, l.x, r.x, l.h, 0, r.h};
 }
 
+EdgeConjugate EntropyObjective::InteriorConjugate(double raw_l, double raw_r, double epsilon,
+                                                  double s_l, double s_r) const {
+  return ConjugateOf({raw_l, raw_r, s_l, s_r, false}, epsilon, ExponentialOfAny(s_l),
+                     ExponentialOfAny(s_r));
+}
+
 EdgeConjugate EntropyObjective::BoundaryConjugate(double raw, double epsilon, double s) const {
-  const double ref = ClampReference(raw, epsilon);
-  const EdgeMargins margins = Margins(raw, epsilon);
-  EntropyAngle a = EntropyAbove(margins.l, ref, s);
-  if (a.x > kPi - margins.theta) a = EntropyAt(kPi - margins.theta, ref, s);
-  return {a.value, a.x, 0, a.h, 0, 0};
+  return ConjugateOf({raw, 0, s, 0, true}, epsilon, ExponentialOfAny(s), 1);
+}
+
+void EntropyObjective::Conjugates(std::span<const EdgeSlopes> edges, double epsilon,
+                                  std::span<EdgeConjugate> conjugates) const {
+  CHECK_EQ(edges.size(), conjugates.size());
+  ParallelChunks(static_cast<int>(edges.size()), [&](int first, int end) {
+    std::array<double, 2 * kChunk> slope, exponential;
+    const std::size_t size = 2 * static_cast<std::size_t>(end - first);
+    for (int e = first; e < end; ++e) {
+      slope[2 * (e - first)] = edges[e].s_l;
+      slope[2 * (e - first) + 1] = edges[e].s_r;
+    }
+    Exponentials({slope.data(), size}, {exponential.data(), size});
+    for (int e = first; e < end; ++e) {
+      const double* of_edge = &exponential[2 * (e - first)];
+      conjugates[e] = ConjugateOf(edges[e], epsilon, of_edge[0], of_edge[1]);
+    }
+  });
 }
 
 }  // namespace cirque

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "cirque/energy/angle_objective.h"
 
 namespace cirque {
@@ -19,6 +21,14 @@ class EntropyObjective final : public AngleObjective {
   EdgeConjugate InteriorConjugate(double ref_l, double ref_r, double epsilon, double s_l,
                                   double s_r) const override;
   EdgeConjugate BoundaryConjugate(double ref, double epsilon, double s) const override;
+  bool PrefersArrays() const override { return true; }
+  void Conjugates(std::span<const EdgeSlopes> edges, double epsilon,
+                  std::span<EdgeConjugate> conjugates) const override;
+
+ private:
+  /// The conjugate of an edge, given e^s_l and e^s_r.
+  EdgeConjugate ConjugateOf(const EdgeSlopes& edge, double epsilon, double exp_l,
+                            double exp_r) const;
 };
 
 }  // namespace cirque
