@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "cirque/core/types.h"
 #include "cirque/core/lanes.h"
+#include "cirque/core/types.h"
 #include "cirque/math/pi.h"
 
 namespace cirque {
