@@ -1,10 +1,11 @@
-#include <random>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "cirque/core/types.h"
 #include "cirque/math/clausen.h"
+
+#include "bench/random_numbers.h"
 
 #ifdef CIRQUE_GSL
 #include <gsl/gsl_sf_clausen.h>
@@ -15,16 +16,8 @@ namespace {
 
 constexpr int kArguments = 4096;
 
-std::vector<double> RandomArguments(double lower, double upper) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> uniform(lower, upper);
-  std::vector<double> x(kArguments);
-  for (double& value : x) value = uniform(random);
-  return x;
-}
-
 void TimeFunction(benchmark::State& state, double (*function)(double), double lower, double upper) {
-  const std::vector<double> arguments = RandomArguments(lower, upper);
+  const std::vector<double> arguments = RandomNumbers(kArguments, lower, upper);
   for (auto _ : state) {
     for (const double x : arguments) benchmark::DoNotOptimize(function(x));
   }

@@ -1,6 +1,5 @@
 // Elementary functions of arrays beside the library's, one after another.
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -10,22 +9,17 @@
 #include "cirque/math/elementary_arrays.h"
 #include "cirque/math/half_angles.h"
 
+#include "bench/random_numbers.h"
+
 namespace cirque {
 namespace {
 
 constexpr int kNumbers = 4096;
 
-std::vector<double> Numbers(double least, double most) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> even(least, most);
-  std::vector<double> x(kNumbers);
-  for (double& value : x) value = even(random);
-  return x;
-}
-
 template <class Function>
 void TimeArrays(benchmark::State& state, const Function& function) {
-  const std::vector<double> x = Numbers(1e-3, kPi - 1e-3), y = Numbers(-3, 3);
+  const std::vector<double> x = RandomNumbers(kNumbers, 1e-3, kPi - 1e-3);
+  const std::vector<double> y = RandomNumbers(kNumbers, -3, 3);
   std::vector<double> result(kNumbers);
   for (auto _ : state) {
     function(x, y, &result);

@@ -15,16 +15,18 @@ constexpr double kLargestExponent = 700;
 
 namespace lanes {
 
+/// log 2 in two parts: multiples of the first by an exponent are exact.
+constexpr double kLog2High = 0x1.62e42fefa3000p-1, kLog2Low = 0x1.3de6af278ece6p-42;
+
 /// e^x = scale (1 + rest), scale a power of 2.
 template <class T>
-struct Exponential {
+struct ScaledExponential {
   T scale, rest;
 };
 
 template <class T>
-[[gnu::always_inline]] inline Exponential<T> SplitExponential(T x) {
+[[gnu::always_inline]] inline ScaledExponential<T> SplitExponential(T x) {
   constexpr double kPerLog2 = 0x1.71547652b82fep+0;
-  constexpr double kLog2High = 0x1.62e42fefa3000p-1, kLog2Low = 0x1.3de6af278ece6p-42;
   constexpr double c[] = {0x1.5555555555556p-3,  0x1.5555555555555p-5,  0x1.11111111109b3p-7,
                           0x1.6c16c16c167e1p-10, 0x1.a01a01a7c41d5p-13, 0x1.a01a01a47b054p-16,
                           0x1.71de0dae63bb3p-19, 0x1.27e4e1f48534fp-22, 0x1.af38a9b0ec855p-26,
@@ -68,7 +70,6 @@ template <class T>
 /// log x to 1 ulp, for positive normal numbers.
 template <class T>
 [[gnu::always_inline]] inline T Logarithm(T x) {
-  constexpr double kLog2High = 0x1.62e42fefa3000p-1, kLog2Low = 0x1.3de6af278ece6p-42;
   // (2 artanh s - 2 s) / s^3 of z = s^2, with 2 artanh s = log((1 + s) / (1 - s)).
   constexpr double c[] = {0x1.5555555555555p-1, 0x1.9999999999a39p-2, 0x1.2492492476a1ap-2,
                           0x1.c71c7201a55d7p-3, 0x1.745cf8e4bba1bp-3, 0x1.3b1c3c1c81c8fp-3,
@@ -81,7 +82,8 @@ template <class T>
   const T tail = z * (low + high * (z2 * z2));
   // 2 s = f - s f, and s f = f^2 / 2 - s f^2 / 2: the large terms f and k log 2 are exact.
   const T half = 0.5 * f * f;
-  return exponent * kLog2High - ((half - (s * (half + tail) + exponent * kLog2Low)) - f);
+  return exponent * lanes::kLog2High -
+         ((half - (s * (half + tail) + exponent * lanes::kLog2Low)) - f);
 }
 
 /// sin x to 1.1 ulp, relatively exact at both ends, for x in [0, pi].

@@ -22,7 +22,7 @@ struct ExponentialMap {
   [[gnu::always_inline]] static T Of(const std::array<T, 1>& x) {
     return Exponential(x[0]);
   }
-  static double OfAny(const One& x) { return ExponentialOfAny(x[0]); }
+  static double OfOther(const One& x) { return std::exp(x[0]); }
 };
 
 struct LogarithmMap {
@@ -34,7 +34,7 @@ struct LogarithmMap {
   [[gnu::always_inline]] static T Of(const std::array<T, 1>& x) {
     return Logarithm(x[0]);
   }
-  static double OfAny(const One& x) { return IsOrdinary(x) ? Logarithm(x[0]) : std::log(x[0]); }
+  static double OfOther(const One& x) { return std::log(x[0]); }
 };
 
 struct SineMap {
@@ -44,7 +44,7 @@ struct SineMap {
   [[gnu::always_inline]] static T Of(const std::array<T, 1>& x) {
     return SineToPi(x[0]);
   }
-  static double OfAny(const One& x) { return IsOrdinary(x) ? SineToPi(x[0]) : std::sin(x[0]); }
+  static double OfOther(const One& x) { return std::sin(x[0]); }
 };
 
 struct ArctangentMap {
@@ -54,7 +54,7 @@ struct ArctangentMap {
   [[gnu::always_inline]] static T Of(const std::array<T, 2>& yx) {
     return OrdinaryArctangent(yx[0], yx[1]);
   }
-  static double OfAny(const Two& yx) { return Arctangent(yx[0], yx[1]); }
+  static double OfOther(const Two& yx) { return std::atan2(yx[0], yx[1]); }
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ struct HalfAngleMap {
     const auto sides = SidesOfHalfAngle(e[0], e[1], e[2], DecayBy(lanes::Absolute(e[0])));
     return OrdinaryArctangent(sides.sine, sides.cosine);
   }
-  static double OfAny(const Edge& e) { return HalfAngle(e[0], AngleOf(e)); }
+  static double OfOther(const Edge& e) { return HalfAngle(e[0], AngleOf(e)); }
 };
 
 struct WeightMap {
@@ -42,7 +42,7 @@ struct WeightMap {
   [[gnu::always_inline]] static T Of(const std::array<T, 3>& e) {
     return WeightOfHalfAngle(e[1], e[2], DecayBy(lanes::Absolute(e[0])));
   }
-  static double OfAny(const Edge& e) { return HalfAngleWeight(e[0], AngleOf(e)); }
+  static double OfOther(const Edge& e) { return HalfAngleWeight(e[0], AngleOf(e)); }
 };
 
 }  // namespace

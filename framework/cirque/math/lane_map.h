@@ -9,11 +9,6 @@
 
 namespace cirque {
 
-/// A function of N numbers at every place of N arrays, kLanes places at a time. `Function` has
-///   static constexpr std::size_t kInputs;                              N
-///   static bool IsOrdinary(const std::array<double, N>& x);            what Of is made for
-///   template <class T> static T Of(const std::array<T, N>& x);         of doubles or Lanes
-///   static double OfAny(const std::array<double, N>& x);               Of, and what is not ordinary
 namespace lanes {
 
 /// Places that are ordinary or not together.
@@ -41,11 +36,19 @@ template <class Function>
     const Lanes result = Function::Of(Load<Lanes>(in, begin));
     std::memcpy(out + begin, &result, sizeof(result));
   }
-  for (; begin < end; ++begin) out[begin] = Function::OfAny(Load<double>(in, begin));
+  for (; begin < end; ++begin) {
+    const auto x = Load<double>(in, begin);
+    out[begin] = Function::IsOrdinary(x) ? Function::Of(x) : Function::OfOther(x);
+  }
 }
 
 }  // namespace lanes
 
+/// A function of N numbers at every place of N arrays, kLanes places at a time. `Function` has
+///   static constexpr std::size_t kInputs;                              N
+///   static bool IsOrdinary(const std::array<double, N>& x);            what Of is made for
+///   template <class T> static T Of(const std::array<T, N>& x);         of doubles or Lanes
+///   static double OfOther(const std::array<double, N>& x);             of what is not ordinary
 template <class Function>
 void MapLanes(const lanes::Inputs<Function>& in, std::size_t n, double* out) {
   OnWideLanes([&]() __attribute__((always_inline)) {
