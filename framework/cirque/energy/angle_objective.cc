@@ -16,12 +16,8 @@ void AngleObjective::Distances(std::span<const double> references, std::span<con
 void AngleObjective::Conjugates(std::span<const EdgeSlopes> edges, double epsilon,
                                 std::span<EdgeConjugate> conjugates) const {
   CHECK_EQ(edges.size(), conjugates.size());
-  ParallelFor(static_cast<int>(edges.size()), [&](int e) {
-    const EdgeSlopes& edge = edges[e];
-    conjugates[e] = edge.is_boundary
-                        ? BoundaryConjugate(edge.ref_l, epsilon, edge.s_l)
-                        : InteriorConjugate(edge.ref_l, edge.ref_r, epsilon, edge.s_l, edge.s_r);
-  });
+  ParallelFor(static_cast<int>(edges.size()),
+              [&](int e) { conjugates[e] = Conjugate(edges[e], epsilon); });
 }
 
 }  // namespace cirque

@@ -69,6 +69,13 @@ class AngleObjective {
                                           double s_r) const = 0;
   virtual EdgeConjugate BoundaryConjugate(double ref, double epsilon, double s) const = 0;
 
+  /// The one of both that the edge asks for.
+  EdgeConjugate Conjugate(const EdgeSlopes& edge, double epsilon) const {
+    return edge.is_boundary
+               ? BoundaryConjugate(edge.ref_l, epsilon, edge.s_l)
+               : InteriorConjugate(edge.ref_l, edge.ref_r, epsilon, edge.s_l, edge.s_r);
+  }
+
   /// Whether it is to be asked by the two that follow, once for all corners or edges: where a call is
   /// dear, as of an objective in another language.
   virtual bool TakesArrays() const { return false; }

@@ -46,10 +46,7 @@ EdgeSlopes DualAngleEnergy::SlopesAt(Index e, const double* y) const {
 }
 
 EdgeConjugate DualAngleEnergy::Conjugate(Index e, const double* y) const {
-  const EdgeSlopes at = SlopesAt(e, y);
-  return at.is_boundary
-             ? objective_->BoundaryConjugate(at.ref_l, epsilon_, at.s_l)
-             : objective_->InteriorConjugate(at.ref_l, at.ref_r, epsilon_, at.s_l, at.s_r);
+  return objective_->Conjugate(SlopesAt(e, y), epsilon_);
 }
 
 template <class Visit>
