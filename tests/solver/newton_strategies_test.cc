@@ -1,4 +1,5 @@
 // Newton's method and its preconditioned relative on functions whose minimum is known.
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,26 @@
 
 namespace cirque {
 namespace {
+
+/// sum e^x_i - x_i: a Newton step from x ends at x^2 / 2.
+class ExponentialEnergy final : public Energy {
+ public:
+  int NumParameters() const override { return 3; }
+  bool Evaluate(const double* x, double* value, double* gradient) const override {
+    *value = 0;
+    for (int i = 0; i < 3; ++i) {
+      *value += std::expm1(x[i]) - x[i];
+      if (gradient) gradient[i] = std::expm1(x[i]);
+    }
+    return std::isfinite(*value);
+  }
+  bool Hessian(const double* x, SparseMatrix* lower) const override {
+    lower->resize(3, 3);
+    lower->setIdentity();
+    for (int i = 0; i < 3; ++i) lower->coeffRef(i, i) = std::exp(x[i]);
+    return true;
+  }
+};
 
 class NewtonStrategies : public ::testing::TestWithParam<std::string> {};
 
@@ -19,6 +40,24 @@ TEST_P(NewtonStrategies, OneStepSolvesAQuadratic) {
   EXPECT_EQ(summary.factorizations, 1);
   EXPECT_LT((x - energy.minimiser()).lpNorm<Eigen::Infinity>(), 1e-13);
   EXPECT_LT(summary.final_value, 1e-20);
+}
+
+TEST_P(NewtonStrategies, TheLastStepGoesByTheLastHessianWhereThatEndsAsLow) {
+  // From 0.5 the gradient is 5.5e-3, 1.5e-5, 1.1e-10, and by the last Hessian about 1.6e-15.
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(3, 0.5);
+  const SolveSummary summary = Strategy(GetParam())->Minimize(ExponentialEnergy(), {}, &x);
+  EXPECT_TRUE(summary.Converged()) << summary.FullReport();
+  EXPECT_EQ(summary.num_iterations(), 5);
+  EXPECT_EQ(summary.hessian_evaluations, 4);
+  EXPECT_LT(summary.final_gradient_max, 1e-14);
+}
+
+TEST_P(NewtonStrategies, ATighterToleranceAsksForTheHessianOfEveryStep) {
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(3, 0.5);
+  const auto strategy = MakeSolverStrategy(GetParam(), {{"gradient_tolerance", "1e-15"}});
+  const SolveSummary summary = (*strategy)->Minimize(ExponentialEnergy(), {}, &x);
+  EXPECT_TRUE(summary.Converged()) << summary.FullReport();
+  EXPECT_EQ(summary.hessian_evaluations, summary.num_iterations());
 }
 
 TEST_P(NewtonStrategies, HardSaturationBeforeAWallIsNoTrap) {

@@ -160,9 +160,8 @@ KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objecti
   const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, borrowed);
   report.primal = energy.Primal(alpha);
   double negated_dual = kUnset;
-  energy.Evaluate(y.data(), &negated_dual, nullptr);
+  report.stationarity = (alpha - energy.Angles(y.data(), &negated_dual)).lpNorm<Eigen::Infinity>();
   report.dual = -negated_dual;
-  report.stationarity = (alpha - energy.Angles(y.data())).lpNorm<Eigen::Infinity>();
   const Triangulation& t = problem.constraints.triangulation();
   InequalityCheck check(problem, objective, alpha, y);
   std::vector<InequalityCheck> of_block(NumBlocks(t.num_edges()), check);

@@ -85,8 +85,11 @@ std::vector<Index> LargestFirst(const std::vector<ComponentJob>& jobs) {
 
 std::vector<MappedComponent> MapComponents(const std::vector<ComponentJob>& jobs,
                                            const SolveControl& control) {
-  if (jobs.size() == 1) return {MapOne(jobs[0], control)};
   std::vector<MappedComponent> mapped(jobs.size());
+  if (jobs.size() == 1) {
+    mapped[0] = MapOne(jobs[0], control);
+    return mapped;
+  }
   SharedControl shared(control);
   const std::vector<Index> order = LargestFirst(jobs);
   const auto map = [&](int k) {

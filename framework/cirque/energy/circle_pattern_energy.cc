@@ -1,9 +1,6 @@
 #include "cirque/energy/circle_pattern_energy.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <span>
 
 #include <glog/logging.h>
 
@@ -42,14 +39,13 @@ CirclePatternEnergy::CirclePatternEnergy(const Triangulation& t, const CoherentA
     }
   }
   ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
-    std::array<double, kChunk> alpha_i, alpha_j;
-    std::array<CircleAngle, kChunk> angle;
-    const auto size = static_cast<std::size_t>(end - first);
+    ChunkOf<> alpha_i(end - first), alpha_j(end - first);
+    ChunkOf<CircleAngle> angle(end - first);
     for (int k = first; k < end; ++k) {
       alpha_i[k - first] = edges_[k].alpha_i;
       alpha_j[k - first] = edges_[k].alpha_j;
     }
-    CircleAngles({alpha_i.data(), size}, {alpha_j.data(), size}, {angle.data(), size});
+    CircleAngles(alpha_i, alpha_j, angle);
     for (int k = first; k < end; ++k) edges_[k].angle = angle[k - first];
   });
 }
@@ -62,7 +58,7 @@ double CirclePatternEnergy::InteriorEdge::natural_d() const {
 class CirclePatternEnergy::EdgeChunk {
  public:
   EdgeChunk(const CirclePatternEnergy& energy, const double* rho, int first, int end)
-      : size_(end - first) {
+      : d_(end - first), sine_(end - first), one_minus_cosine_(end - first) {
     for (int k = 0; k < end - first; ++k) {
       const InteriorEdge& e = energy.edges_[first + k];
       d_[k] = rho[e.i()] - rho[e.j()];
@@ -72,11 +68,12 @@ class CirclePatternEnergy::EdgeChunk {
   }
 
   double d(int k) const { return d_[k]; }
-  using Values = std::array<double, kChunk>;
 
   template <class Function>
-  void Evaluate(const Function& function, Values* result) const {
-    function(Of(d_), Of(sine_), Of(one_minus_cosine_), std::span(result->data(), size_));
+  ChunkOf<> Evaluate(const Function& function) const {
+    ChunkOf<> result(static_cast<int>(d_.size()));
+    function(d_, sine_, one_minus_cosine_, result);
+    return result;
   }
 
   /// The same edges from their other sides.
@@ -85,10 +82,7 @@ class CirclePatternEnergy::EdgeChunk {
   }
 
  private:
-  std::span<const double> Of(const Values& values) const { return {values.data(), size_}; }
-
-  std::size_t size_;
-  Values d_{}, sine_, one_minus_cosine_;
+  ChunkOf<> d_, sine_, one_minus_cosine_;
 };
 
 template <class Counts>
@@ -98,10 +92,9 @@ double CirclePatternEnergy::Sum(const double* rho, const Counts& counts) const {
   const int num_edges = static_cast<int>(edges_.size());
   const auto add = [&](int first, int end, CompensatedSum* sum) {
     EdgeChunk chunk(*this, rho, first, end);
-    EdgeChunk::Values phi_i, phi_j;
-    chunk.Evaluate(HalfAngles, &phi_i);
+    const ChunkOf<> phi_i = chunk.Evaluate(HalfAngles);
     chunk.Reverse();
-    chunk.Evaluate(HalfAngles, &phi_j);
+    const ChunkOf<> phi_j = chunk.Evaluate(HalfAngles);
     for (int k = 0; k < end - first; ++k) {
       const InteriorEdge& e = edges_[first + k];
       if (!counts(e.i())) continue;
@@ -128,8 +121,7 @@ bool CirclePatternEnergy::Gradient(const double* rho, double* gradient) const {
   if (!AllFinite(rho)) return false;
   Eigen::VectorXd phi = Eigen::VectorXd::Zero(3 * num_faces_);
   ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
-    EdgeChunk::Values half;
-    EdgeChunk(*this, rho, first, end).Evaluate(HalfAngles, &half);
+    const ChunkOf<> half = EdgeChunk(*this, rho, first, end).Evaluate(HalfAngles);
     for (int k = 0; k < end - first; ++k) {
       // The two halves add up to the corner angles themselves: those sum to pi in every triangle, so
       // that the whole gradient sums to zero but for rounding without bias. pi - theta would be off
@@ -150,8 +142,7 @@ bool CirclePatternEnergy::Hessian(const double* rho, SparseMatrix* lower) const 
   if (!AllFinite(rho)) return false;
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(3 * num_faces_);
   ParallelChunks(static_cast<int>(edges_.size()), [&](int first, int end) {
-    EdgeChunk::Values of_edge;
-    EdgeChunk(*this, rho, first, end).Evaluate(HalfAngleWeights, &of_edge);
+    const ChunkOf<> of_edge = EdgeChunk(*this, rho, first, end).Evaluate(HalfAngleWeights);
     for (int k = 0; k < end - first; ++k) {
       const InteriorEdge& e = edges_[first + k];
       weight[e.h] = weight[e.g] = of_edge[k];

@@ -1,8 +1,6 @@
 #include "cirque/energy/dual_angle_energy.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,11 +61,10 @@ double DualAngleEnergy::SumConjugates(const double* y, const Visit& visit) const
     return ParallelSum(num_edges, [&](Index e) { return visit(e, Conjugate(e, y)); });
   }
   return ParallelSumOfChunks(num_edges, [&](Index first, Index end, CompensatedSum* sum) {
-    std::array<EdgeSlopes, kChunk> edges;
-    std::array<EdgeConjugate, kChunk> conjugates;
-    const auto size = static_cast<std::size_t>(end - first);
+    ChunkOf<EdgeSlopes> edges(end - first);
+    ChunkOf<EdgeConjugate> conjugates(end - first);
     for (Index e = first; e < end; ++e) edges[e - first] = SlopesAt(e, y);
-    objective_->Conjugates({edges.data(), size}, epsilon_, {conjugates.data(), size});
+    objective_->Conjugates(edges, epsilon_, conjugates);
     for (Index e = first; e < end; ++e) *sum += visit(e, conjugates[e - first]);
   });
 }
@@ -89,7 +86,7 @@ bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient)
   const int rows = constraints_.num_rows();
   double sum;
   const Eigen::VectorXd alpha = Maximise(y, &sum);
-  *value = sum - ParallelSum(rows, [&](int row) { return Target(y, row) * y[row]; });
+  *value = sum - TargetsTimes(y);
   if (gradient) {
     Eigen::Map<Eigen::VectorXd> of_row(gradient, rows);
     constraints_.Apply(alpha, of_row);
@@ -181,6 +178,16 @@ std::vector<Kink> DualAngleEnergy::Kinks() const {
 Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {
   double sum;
   return Maximise(y, &sum);
+}
+
+Eigen::VectorXd DualAngleEnergy::Angles(const double* y, double* value) const {
+  Eigen::VectorXd alpha = Maximise(y, value);
+  *value -= TargetsTimes(y);
+  return alpha;
+}
+
+double DualAngleEnergy::TargetsTimes(const double* y) const {
+  return ParallelSum(constraints_.num_rows(), [&](int row) { return Target(y, row) * y[row]; });
 }
 
 std::vector<double> DualAngleEnergy::ClampedReferences() const {

@@ -47,6 +47,9 @@ class DualAngleEnergy final : public Energy, private EnergySource {
   /// alpha(y): the maximisers of all edges, 3F [rad].
   Eigen::VectorXd Angles(const double* y) const;
 
+  /// The energy too.
+  Eigen::VectorXd Angles(const double* y, double* value) const;
+
   /// The primal objective sum_e phi_e(alpha).
   double Primal(const Eigen::VectorXd& alpha) const;
 
@@ -67,6 +70,8 @@ class DualAngleEnergy final : public Energy, private EnergySource {
   double Target(const double* y, int row) const {
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   }
+
+  double TargetsTimes(const double* y) const;
 
   /// Whether that row adds up the angle at corner h.
   bool IsInRow(Index h, int row) const;

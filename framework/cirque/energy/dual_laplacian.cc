@@ -57,19 +57,23 @@ DualLaplacian::DualLaplacian(const Triangulation& t)
     : pattern_(t.num_faces(), t.num_faces()), slot_(t.num_halfedges(), kNone) {
   const int faces = t.num_faces();
   int* outer = pattern_.outerIndexPtr();
-  outer[0] = 0;
-  for (Index f = 0; f < faces; ++f) outer[f + 1] = outer[f] + 1 + LargerNeighbours(t, f).size();
-  pattern_.resizeNonZeros(outer[faces]);
-  std::fill_n(pattern_.valuePtr(), outer[faces], 0.0);
+  pattern_.resizeNonZeros(faces + t.num_edges());
+  int* const inner = pattern_.innerIndexPtr();
+  int entries = 0;
   for (Index f = 0; f < faces; ++f) {
+    outer[f] = entries;
     const LargerNeighbours neighbours(t, f);
-    pattern_.innerIndexPtr()[outer[f]] = f;
-    std::copy(neighbours.begin(), neighbours.end(), pattern_.innerIndexPtr() + outer[f] + 1);
+    inner[entries++] = f;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = t.twin[h] == kNone ? f : Triangulation::Face(t.twin[h]);
-      if (g > f) slot_[h] = outer[f] + 1 + neighbours.Rank(g);
+      if (g > f) slot_[h] = entries + neighbours.Rank(g);
     }
+    entries =
+        static_cast<int>(std::copy(neighbours.begin(), neighbours.end(), inner + entries) - inner);
   }
+  outer[faces] = entries;
+  pattern_.resizeNonZeros(entries);
+  std::fill_n(pattern_.valuePtr(), entries, 0.0);
   couples_.reserve(t.num_halfedges());
   for (Index h = 0; h < t.num_halfedges(); ++h) {
     couples_.push_back(t.twin[h] != kNone &&

@@ -1,9 +1,7 @@
 #include "cirque/energy/entropy_objective.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include <glog/logging.h>
 
@@ -105,13 +103,12 @@ void EntropyObjective::Conjugates(std::span<const EdgeSlopes> edges, double epsi
                                   std::span<EdgeConjugate> conjugates) const {
   CHECK_EQ(edges.size(), conjugates.size());
   ParallelChunks(static_cast<int>(edges.size()), [&](int first, int end) {
-    std::array<double, 2 * kChunk> slope, exponential;
-    const std::size_t size = 2 * static_cast<std::size_t>(end - first);
+    ChunkOf<double, 2> slope(end - first), exponential(end - first);
     for (int e = first; e < end; ++e) {
       slope[2 * (e - first)] = edges[e].s_l;
       slope[2 * (e - first) + 1] = edges[e].s_r;
     }
-    Exponentials({slope.data(), size}, {exponential.data(), size});
+    Exponentials(slope, exponential);
     for (int e = first; e < end; ++e) {
       const double* of_edge = &exponential[2 * (e - first)];
       conjugates[e] = ConjugateOf(edges[e], epsilon, of_edge[0], of_edge[1]);

@@ -8,6 +8,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/intrinsic/flip_complex.h"
+#include "cirque/math/arctangent.h"
 
 namespace cirque {
 namespace {
@@ -58,7 +59,7 @@ InputChart MeasureFaces(const Triangulation& t, const std::vector<Vector>& side,
   flat.lengths.value.resize(t.num_edges());
   ParallelFor(t.num_halfedges(), [&](Index h) {
     const Vector out = side[Triangulation::Prev(h)], back = -side[Triangulation::Next(h)];
-    flat.angles.value[h] = std::atan2(Cross(out, back), (std::conj(out) * back).real());
+    flat.angles.value[h] = Arctangent(Cross(out, back), (std::conj(out) * back).real());
   });
   ParallelFor(t.num_edges(),
               [&](Index e) { flat.lengths.value[e] = std::abs(side[t.edge_halfedge[e]]); });

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include <glog/logging.h>
 
 #include "cirque/core/parallel.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/elementary.h"
 #include "cirque/math/elementary_arrays.h"
 #include "cirque/math/parallel_chunks.h"
 
@@ -63,8 +65,7 @@ CornerAngles MeasureCornerAngles(const Triangulation& t, const EdgeLengths& leng
   CornerAngles angles;
   angles.value.resize(t.num_halfedges());
   ParallelChunks(t.num_faces(), [&](Index first, Index end) {
-    std::array<double, 3 * kChunk> opposite, adjacent;
-    const auto size = static_cast<std::size_t>(3 * (end - first));
+    ChunkOf<double, 3> opposite(end - first), adjacent(end - first);
     for (Index f = first; f < end; ++f) {
       const Index h = 3 * f;
       const auto half = TriangleHalfAngles(
@@ -74,9 +75,9 @@ CornerAngles MeasureCornerAngles(const Triangulation& t, const EdgeLengths& leng
         adjacent[h + k - 3 * first] = half[k].adjacent;
       }
     }
-    double* const angle = &angles.value[3 * first];
-    Arctangents({opposite.data(), size}, {adjacent.data(), size}, {angle, size});
-    for (std::size_t k = 0; k < size; ++k) angle[k] *= 2;
+    const std::span<double> angle(&angles.value[3 * first], opposite.size());
+    Arctangents(opposite, adjacent, angle);
+    for (double& a : angle) a *= 2;
   });
   return angles;
 }
@@ -96,7 +97,7 @@ double SurfaceArea(const IntrinsicSurface& surface) {
   const Eigen::VectorXd& length = surface.lengths.value;
   return ParallelSum(t.num_faces(), [&](Index f) {
     return 0.5 * length[t.edge[3 * f]] * length[t.edge[3 * f + 1]] *
-           std::sin(surface.angles.value[3 * f + 2]);
+           SineToPi(surface.angles.value[3 * f + 2]);
   });
 }
 

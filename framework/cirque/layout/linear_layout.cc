@@ -79,7 +79,7 @@ StatusOr<PlanarLayout> LayOutByLeastSquares(const Triangulation& t, const Corner
   for (const Index i : unknowns.of_vertex) {
     position.push_back(i == kNone ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(x[i], y[i]));
   }
-  return LayoutAt(open, position);
+  return LayoutAt(open, open.TargetVectors(), position);
 }
 
 namespace {

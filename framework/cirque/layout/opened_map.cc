@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cirque/core/parallel.h"
+#include "cirque/math/elementary.h"
 #include "cirque/math/predicates.h"
 
 namespace cirque {
@@ -77,13 +78,13 @@ void OpenedMap::MeasureFaces(const IntrinsicSurface& surface, double least_area)
   area_.resize(faces_.size(), 0);
   ParallelFor(open_.num_faces(), [&](Index f) {
     const Index h = 3 * f;
-    const double sine = std::sin(angle[h]), across = std::sin(angle[h + 2]);
+    const double sine = SineToPi(angle[h]), across = SineToPi(angle[h + 2]);
     const double area = length(h + 1) * length(h + 2) * sine / 2;
     BeltramiFace& face = faces_[f];
     face.vertex = {open_.vertex[h], open_.vertex[h + 1], open_.vertex[h + 2]};
     if (!(area > 0 && across > 0)) return;
     // The face with its first edge from 0 to 1.
-    const Complex apex = std::sin(angle[h + 1]) / across * Complex(std::cos(angle[h]), sine);
+    const Complex apex = SineToPi(angle[h + 1]) / across * Complex(std::cos(angle[h]), sine);
     const Complex i(0, 1);
     face.hat = {i * (apex - 1.0), -i * apex, i};
     face.scale = length(h + 2) / (4 * area);

@@ -63,6 +63,13 @@ Eigen::Vector2d OpenSurface::TargetVector(Index h) const {
          Eigen::Vector2d(std::cos(direction[h]), std::sin(direction[h]));
 }
 
+std::vector<Eigen::Vector2d> OpenSurface::TargetVectors() const {
+  std::vector<Eigen::Vector2d> target(triangulation.num_edges());
+  ParallelFor(triangulation.num_edges(),
+              [&](Index e) { target[e] = TargetVector(triangulation.edge_halfedge[e]); });
+  return target;
+}
+
 EdgeLengths OpenedLengths(const Triangulation& t, const EdgeLengths& lengths,
                           const Triangulation& open) {
   EdgeLengths opened{Eigen::VectorXd(open.num_edges())};
@@ -126,15 +133,12 @@ class SpanningForest {
 
 class Placement {
  public:
-  explicit Placement(const OpenSurface& open)
+  Placement(const OpenSurface& open, const std::vector<Eigen::Vector2d>& target)
       : t_(open.triangulation),
         forest_(t_, open.lengths),
-        target_(t_.num_edges()),
+        target_(target),
         position_(t_.num_vertices, Eigen::Vector2d::Zero()),
-        placed_(t_.num_vertices, false) {
-    ParallelFor(t_.num_edges(),
-                [&](Index e) { target_[e] = open.TargetVector(t_.edge_halfedge[e]); });
-  }
+        placed_(t_.num_vertices, false) {}
 
   std::vector<Eigen::Vector2d> Place() {
     for (const Index e : forest_.edges()) {
@@ -164,14 +168,15 @@ class Placement {
 
   const Triangulation& t_;
   SpanningForest forest_;
-  std::vector<Eigen::Vector2d> target_;  ///< per edge, along its halfedge
+  const std::vector<Eigen::Vector2d>& target_;  ///< per edge, along its halfedge
   std::vector<Eigen::Vector2d> position_;
   std::vector<bool> placed_;
 };
 
 }  // namespace
 
-PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d>& position) {
+PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d>& target,
+                      const std::vector<Eigen::Vector2d>& position) {
   const Triangulation& t = open.triangulation;
   PlanarLayout layout;
   layout.patches = open.patches;
@@ -180,7 +185,7 @@ PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d
   ParallelFor(t.num_edges(), [&](Index e) {
     const Index h = t.edge_halfedge[e];
     const Eigen::Vector2d placed = position[t.Tip(h)] - position[t.Tail(h)];
-    missed[e] = (placed - open.TargetVector(h)).norm() / open.lengths.value[e];
+    missed[e] = (placed - target[e]).norm() / open.lengths.value[e];
   });
   for (Index e = 0; e < t.num_edges(); ++e) {
     const Index f = Triangulation::Face(t.edge_halfedge[e]);
@@ -196,7 +201,8 @@ PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d
 PlanarLayout LayOutPatches(const Triangulation& t, const CornerAngles& flat_angles,
                            const EdgeLengths& lengths, const Cut& cut) {
   const OpenSurface open = OpenWithDirections(t, flat_angles, lengths, cut);
-  return LayoutAt(open, Placement(open).Place());
+  const std::vector<Eigen::Vector2d> target = open.TargetVectors();
+  return LayoutAt(open, target, Placement(open, target).Place());
 }
 
 PlanarLayout LayOutByDirections(const Triangulation& t, const CornerAngles& flat_angles,

@@ -18,6 +18,9 @@ struct OpenSurface {
 
   /// The target vector of a halfedge, by the direction that its own face gives it.
   Eigen::Vector2d TargetVector(Index h) const;
+
+  /// Those of all edges, each of its edge_halfedge.
+  std::vector<Eigen::Vector2d> TargetVectors() const;
 };
 
 /// The lengths of a surface's edges as those of the surface opened, of the same halfedges.
@@ -52,7 +55,9 @@ PlanarLayout LayOutPatches(const Triangulation& triangulation, const CornerAngle
 PlanarLayout LayOutByDirections(const Triangulation& triangulation, const CornerAngles& flat_angles,
                                 const EdgeLengths& lengths);
 
-/// The layout with the vertices of the opened surface at these positions.
-PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d>& position);
+/// The layout with the vertices of the opened surface at these positions; `target`: its
+/// TargetVectors().
+PlanarLayout LayoutAt(const OpenSurface& open, const std::vector<Eigen::Vector2d>& target,
+                      const std::vector<Eigen::Vector2d>& position);
 
 }  // namespace cirque

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "cirque/core/parallel.h"
@@ -10,6 +12,27 @@ namespace cirque {
 
 /// How many elements of a loop are put into small arrays for the functions that take such.
 constexpr int kChunk = 128;
+
+/// The values of such elements, `kEach` of every one, side by side: what functions of spans take.
+template <class T = double, int kEach = 1>
+class ChunkOf {
+ public:
+  explicit ChunkOf(int elements) : size_(kEach * static_cast<std::size_t>(elements)) {}
+
+  T& operator[](std::size_t k) { return values_[k]; }
+  const T& operator[](std::size_t k) const { return values_[k]; }
+  std::size_t size() const { return size_; }
+  T* data() { return values_.data(); }
+  const T* data() const { return values_.data(); }
+  T* begin() { return data(); }
+  const T* begin() const { return data(); }
+  T* end() { return data() + size_; }
+  const T* end() const { return data() + size_; }
+
+ private:
+  std::array<T, kEach * kChunk> values_;
+  std::size_t size_;
+};
 
 /// Calls body(first, end) for consecutive runs of [0, n) of at most kChunk, under the conditions of
 /// ForEachBlock.

@@ -110,7 +110,7 @@ StatusOr<Cut> ChooseCut(const ParameterizeJob& job, const InputChart& flat,
   const Index least = std::max(1, job.options.least_charts);
   // What is open enough costs nothing, and costs of edges may take long; a file of them is read.
   if (job.options.edge_costs.empty() && CheckCut(t, given, cones).ok() &&
-      ConnectedPatches(CutOpen(t, given)).count >= least) {
+      (least == 1 || ConnectedPatches(CutOpen(t, given)).count >= least)) {
     return given;
   }
   StatusOr<Eigen::VectorXd> costs =
@@ -135,7 +135,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
   if (!laid_out.ok()) return laid_out.status();
   PlanarLayout& layout = *laid_out;
   LayoutSummary& summary = Fill(&certificate.layout);
-  ScalePieces(job.surface, &layout.uv);
+  ScalePieces(job.surface, &layout);
   std::vector<Index> flipped = FlippedFaces(t, layout.uv);
   const bool several_origins = job.alone && !(flipped.empty() && job.alone->empty());
   if (several_origins) {
@@ -166,7 +166,7 @@ Status CutAndPlace(const Job& job, Parameterization* result) {
       if (convex) Fill(&certificate.map_refinement).map_refinement_convex_start = 1;
     }
     // What keeps angles alone leaves the scale of a piece to chance.
-    if (!LeavesConformal(job.options.refine_map)) ScalePieces(job.surface, &layout.uv);
+    if (!LeavesConformal(job.options.refine_map)) ScalePieces(job.surface, &layout);
     summary.rotation_order = ArrangePatches(of, result->targets, &layout);
     flipped = FlippedFaces(t, layout.uv);
   }

@@ -235,9 +235,11 @@ bool SnapRotations(const Triangulation& t, const Cut& cut, const std::vector<Ind
   return true;
 }
 
-void ScalePieces(const IntrinsicSurface& surface, CornerUv* uv) {
+void ScalePieces(const IntrinsicSurface& surface, PlanarLayout* layout) {
+  if (layout->patches.count == 1) return;
   const Patches pieces = ConnectedPatches(surface.triangulation);
   if (pieces.count == 1) return;
+  CornerUv* const uv = &layout->uv;
   const auto& side = surface.lengths.value;
   const auto& edge = surface.triangulation.edge;
   std::vector<double> own(pieces.count, 0), image(pieces.count, 0);

@@ -81,7 +81,7 @@ bool SnapRotations(const Triangulation& triangulation, const Cut& cut,
 
 /// Gives the image of every piece of a surface that was opened into several the area that the piece
 /// has: each has a scale of its own otherwise. Of one piece the image stays.
-void ScalePieces(const IntrinsicSurface& surface, CornerUv* uv);
+void ScalePieces(const IntrinsicSurface& surface, PlanarLayout* layout);
 
 /// Several patches, each in a frame of its own: side by side in the unit square. One patch: exact
 /// rotations across the seams (SnapRotations) where the cones' angles allow it. Returns their order,

@@ -13,6 +13,7 @@
 #include "cirque/core/solve_summary.h"
 #include "cirque/intrinsic/metric_delaunay.h"
 #include "cirque/math/compensated_sum.h"
+#include "cirque/math/elementary.h"
 #include "cirque/pipeline/flat_metric.h"
 #include "cirque/pipeline/retriangulate.h"
 #include "cirque/pipeline/solve_flat_metric.h"
@@ -206,7 +207,7 @@ class Flattening {
     const double image_area = ParallelSum(input_.num_faces(), [&](Index f) {
       const double radius = std::exp(result_.log_radii.value[f]);
       double image = 2 * radius * radius;
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= std::sin(flat.value[h]);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) image *= SineToPi(flat.value[h]);
       return image;
     });
     result_.log_radii.value.array() += 0.5 * std::log(source_area_ / image_area);

@@ -1,7 +1,6 @@
 #include "cirque/radii/pattern_volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -78,28 +77,28 @@ class Volume {
   Index Right(Index e) const { return t_.twin[Left(e)]; }
   bool IsInterior(Index e) const { return Right(e) != kNone; }
 
-  using Values = std::array<double, kChunk>;
-
   /// sin phi on the left and right of edges, of which phi is given.
   struct Sides {
-    Values left, right;
+    ChunkOf<> left, right;
+
+    explicit Sides(int edges) : left(edges), right(edges) {}
 
     /// log(sin right / sin left), once both are sines.
-    Values LogRatio(std::size_t size) const {
-      Values ratio, logarithm;
-      for (std::size_t k = 0; k < size; ++k) ratio[k] = right[k] / left[k];
-      Logarithms({ratio.data(), size}, {logarithm.data(), size});
-      return logarithm;
+    ChunkOf<> LogRatio() const {
+      ChunkOf<> ratio = right;
+      for (std::size_t k = 0; k < ratio.size(); ++k) ratio[k] /= left[k];
+      Logarithms(ratio, ratio);
+      return ratio;
     }
-    void TakeSines(std::size_t size) {
-      Sines({left.data(), size}, {left.data(), size});
-      Sines({right.data(), size}, {right.data(), size});
+    void TakeSines() {
+      Sines(left, left);
+      Sines(right, right);
     }
   };
 
   /// The angles beside edges after a share of a step; of the boundary a right one to go on with.
   Sides AnglesAfter(Index first, Index end, double share, const Eigen::VectorXd* step) const {
-    Sides phi;
+    Sides phi(end - first);
     for (Index e = first; e < end; ++e) {
       const double moved = step ? share * (*step)[e] : 0;
       phi.left[e - first] = phi_[Left(e)] + moved;
@@ -112,13 +111,12 @@ class Volume {
   void MeasureSprings() {
     springs_.resize(t_.num_edges());
     ParallelChunks(t_.num_edges(), [&](Index first, Index end) {
-      const auto size = static_cast<std::size_t>(end - first);
       Sides sides = AnglesAfter(first, end, 0, nullptr);
-      Values sum;
-      for (std::size_t k = 0; k < size; ++k) sum[k] = sides.left[k] + sides.right[k];
-      Sines({sum.data(), size}, {sum.data(), size});
-      sides.TakeSines(size);
-      const Values log_ratio = sides.LogRatio(size);
+      ChunkOf<> sum = sides.left;
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += sides.right[k];
+      Sines(sum, sum);
+      sides.TakeSines();
+      const ChunkOf<> log_ratio = sides.LogRatio();
       for (Index e = first; e < end; ++e) {
         const Index k = e - first;
         springs_[e] = IsInterior(e) ? Spring{sides.left[k] * sides.right[k] / sum[k], log_ratio[k]}
@@ -145,10 +143,9 @@ class Volume {
   double SlopeAt(double t, const Eigen::VectorXd& step) const {
     return domain_.Sum(
         ParallelSumOfChunks(t_.num_edges(), [&](Index first, Index end, CompensatedSum* sum) {
-          const auto size = static_cast<std::size_t>(end - first);
           Sides sides = AnglesAfter(first, end, t, &step);
-          sides.TakeSines(size);
-          const Values log_ratio = sides.LogRatio(size);
+          sides.TakeSines();
+          const ChunkOf<> log_ratio = sides.LogRatio();
           for (Index e = first; e < end; ++e) {
             if (!IsInterior(e) || !domain_.Counts(Triangulation::Face(Left(e)))) continue;
             *sum += step[e] * log_ratio[e - first];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -161,25 +160,25 @@ CornerAngles FlatCornerAngles(const Triangulation& t, const CoherentAngles& angl
            log_radii.value[Triangulation::Face(t.twin[h])];
   };
   ParallelChunks(t.num_halfedges(), [&](Index first, Index end) {
-    std::array<double, kChunk> alpha, across, d, sine, one_minus_cosine, phi;
-    std::array<CircleAngle, kChunk> angle;
     std::array<Index, kChunk> corner;
-    std::size_t size = 0;
+    int size = 0;
     for (Index h = first; h < end; ++h) {
-      if (t.twin[h] == kNone) continue;
-      corner[size] = h;
-      alpha[size] = angles.value[h];
-      across[size] = angles.value[t.twin[h]];
-      d[size++] = difference(h);
+      if (t.twin[h] != kNone) corner[size++] = h;
     }
-    CircleAngles({alpha.data(), size}, {across.data(), size}, {angle.data(), size});
-    for (std::size_t k = 0; k < size; ++k) {
+    ChunkOf<> alpha(size), across(size), d(size), sine(size), one_minus_cosine(size), phi(size);
+    for (int k = 0; k < size; ++k) {
+      alpha[k] = angles.value[corner[k]];
+      across[k] = angles.value[t.twin[corner[k]]];
+      d[k] = difference(corner[k]);
+    }
+    ChunkOf<CircleAngle> angle(size);
+    CircleAngles(alpha, across, angle);
+    for (int k = 0; k < size; ++k) {
       sine[k] = angle[k].sine;
       one_minus_cosine[k] = angle[k].one_minus_cosine;
     }
-    HalfAngles({d.data(), size}, {sine.data(), size}, {one_minus_cosine.data(), size},
-               {phi.data(), size});
-    for (std::size_t k = 0; k < size; ++k) {
+    HalfAngles(d, sine, one_minus_cosine, phi);
+    for (int k = 0; k < size; ++k) {
       if (angle[k].theta >= kOneCircle) flat.value[corner[k]] = phi[k];
     }
   });
@@ -191,15 +190,14 @@ EdgeLengths FlatEdgeLengths(const Triangulation& t, const CornerAngles& flat,
   EdgeLengths lengths;
   lengths.value.resize(t.num_edges());
   ParallelChunks(t.num_edges(), [&](Index first, Index end) {
-    std::array<double, kChunk> log_radius, angle;
-    const auto size = static_cast<std::size_t>(end - first);
+    ChunkOf<> log_radius(end - first), angle(end - first);
     for (Index e = first; e < end; ++e) {
       const Index h = t.edge_halfedge[e];
       log_radius[e - first] = log_radii.value[Triangulation::Face(h)];
       angle[e - first] = flat.value[h];
     }
-    Exponentials({log_radius.data(), size}, {log_radius.data(), size});
-    Sines({angle.data(), size}, {angle.data(), size});
+    Exponentials(log_radius, log_radius);
+    Sines(angle, angle);
     for (Index e = first; e < end; ++e) {
       lengths.value[e] = 2 * log_radius[e - first] * angle[e - first];
     }

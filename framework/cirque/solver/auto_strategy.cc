@@ -13,7 +13,7 @@ constexpr int kMultigridUnknowns = 20000000;
 
 /// A factorization then takes milliseconds; exact steps end sooner where there is no minimum, and
 /// in better proofs of that.
-constexpr int kSmall = 20000;
+constexpr int kSmall = 6000;
 
 /// The limits as the first part of another strategy's options.
 template <class Options>

@@ -95,12 +95,15 @@ class SystemsOnRanks final : public NewtonSystems {
 /// Solves each Newton system, with a damping where the matrix turns out not to be positive definite.
 class InexactDirection {
  public:
-  InexactDirection(double forcing, NewtonSystems* systems, double gradient_tolerance)
-      : forcing_(forcing), systems_(*systems), gradient_tolerance_(gradient_tolerance) {}
+  InexactDirection(double forcing, NewtonSystems* systems, const SolveRun& run)
+      : forcing_(forcing),
+        systems_(*systems),
+        gradient_tolerance_(run.gradient_tolerance()),
+        chord_(run) {}
 
   bool operator()(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                   LevenbergMarquardtDamping* damping, Eigen::VectorXd* direction) {
-    if (!systems_.Linearize(x, damping)) return false;
+    if (!chord_.LastHessianDoes(gradient) && !systems_.Linearize(x, damping)) return false;
     const double goal = gradient_tolerance_ / gradient.lpNorm<Eigen::Infinity>();
     const SolveAccuracy accuracy = {Forcing(gradient.norm(), goal), goal};
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
@@ -123,11 +126,12 @@ class InexactDirection {
   const double forcing_;
   NewtonSystems& systems_;
   const double gradient_tolerance_;
+  ChordTest chord_;
   double last_norm_ = 0;  ///< 0: none, the first system is solved loosely
 };
 
 void Iterate(double forcing, NewtonSystems* systems, SolveRun* run, Eigen::VectorXd* x) {
-  InexactDirection direction(forcing, systems, run->gradient_tolerance());
+  InexactDirection direction(forcing, systems, *run);
   IterateNewton(std::ref(direction), run, x);
 }
 

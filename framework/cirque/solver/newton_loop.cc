@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRaise = 100, kLower = 0.01, kRaisedLeast = 1e-5, kMost = 1e8;
 constexpr double kShortStep = 0.01, kFullStep = 0.99;
+constexpr double kBelowTolerance = 1e-3;  ///< where a chord's step is to end
 
 }  // namespace
 
@@ -48,6 +49,16 @@ void LevenbergMarquardtDamping::Adapt(double step_length) {
     damping_ = std::max(least_, damping_ * kLower);
     if (least_ == 0 && damping_ < 1e-12 * scale_) damping_ = 0;
   }
+}
+
+ChordTest::ChordTest(const SolveRun& run)
+    : goal_(run.kinks().empty() ? kBelowTolerance * run.gradient_tolerance() : 0) {}
+
+bool ChordTest::LastHessianDoes(const Eigen::VectorXd& gradient) {
+  const double now = gradient.lpNorm<Eigen::Infinity>();
+  const bool does = last_max_ > 0 && now * (now / last_max_) < goal_;
+  last_max_ = now;
+  return does;
 }
 
 namespace {

@@ -47,6 +47,22 @@ class LevenbergMarquardtDamping {
   Eigen::VectorXd diagonal_;  ///< of the last Hessian as it was
 };
 
+/// Finds when a step by the last Hessian, a chord's, does as well as one by the present one. Near the
+/// minimum x* it leaves of the gradient about C |x - x*|, with x where that Hessian is from, and so did
+/// the last step: the share that it left is the share that a chord's will leave.
+class ChordTest {
+ public:
+  explicit ChordTest(const SolveRun& run);
+
+  /// Whether the step from this gradient is then expected to end far enough below the gradient
+  /// tolerance; asked once a step. Never where the energy has kinks.
+  bool LastHessianDoes(const Eigen::VectorXd& gradient);
+
+ private:
+  const double goal_;    ///< 0: none
+  double last_max_ = 0;  ///< of the gradient at the last step's start; 0: there was none
+};
+
 /// Finds a descent direction at x with this gradient, raising the damping as it must. False when
 /// there is none.
 using DirectionFinder =
