@@ -94,6 +94,30 @@ TEST(AngleMeasure, TheAdaptedFormMajorisesIt) {
   }
 }
 
+/// Any number of columns, on both sides of what is done at once.
+TEST(ConeMeasure, AppliesToAllColumnsAsToEach) {
+  const Surface surface = GeneratedSurface("blob", 600);
+  const EdgeLengths lengths = MeasureEdgeLengths(surface);
+  const ConeProblem problem(surface.triangulation, lengths);
+  for (const ConeMeasureKind kind : {ConeMeasureKind::kArea, ConeMeasureKind::kAngle}) {
+    const auto measure = MakeConeMeasure(kind, problem);
+    measure->AdaptTo(problem.LogScaleWithoutCones());
+    for (const int count : {0, 1, 3, 8, 11}) {
+      std::vector<Eigen::VectorXd> fields;
+      for (int k = 0; k < count; ++k) fields.push_back(LinearField(surface, 0.1 * (k + 1)));
+      ConeMeasure::Columns columns;
+      for (const Eigen::VectorXd& field : fields) columns.push_back(&field);
+      const Eigen::MatrixXd all = measure->ApplyToAll(columns);
+      ASSERT_EQ(all.cols(), count);
+      for (int k = 0; k < count; ++k) {
+        const Eigen::VectorXd one = measure->Apply(fields[k]);
+        EXPECT_GT(one.norm(), 1e-6);
+        EXPECT_LT((all.col(k) - one).norm(), 1e-14 * one.norm()) << count << " columns, " << k;
+      }
+    }
+  }
+}
+
 TEST(AngleMeasure, SliversStayFinite) {
   Surface surface = FlatStrip(4, 4);
   surface = Moved(std::move(surface), [](Eigen::Vector3d x) {

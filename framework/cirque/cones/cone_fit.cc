@@ -90,9 +90,13 @@ void ConeFit::MakeProducts() {
   for (std::size_t first = 0; first < without_products_.size(); first += kTogether) {
     const std::size_t end = std::min(without_products_.size(), first + kTogether);
     const auto count = static_cast<Eigen::Index>(end - first);
-    Eigen::MatrixXd weighted(num_vertices, count), rows = Eigen::MatrixXd::Zero(count, size());
+    ConeMeasure::Columns responses;
+    for (std::size_t p = first; p < end; ++p) {
+      responses.push_back(response_[without_products_[p]].get());
+    }
+    const Eigen::MatrixXd weighted = measure_->ApplyToAll(responses);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, size());
     for (Eigen::Index p = 0; p < count; ++p) {
-      weighted.col(p) = measure_->Apply(*response_[without_products_[first + p]]);
       is_later[without_products_[first + p]] = false;
       linear_[without_products_[first + p]] = weighted.col(p).dot(without_cones_);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ class ConeMeasure {
 
   /// M u. On a closed surface its entries add up to 0 for u of mean 0.
   virtual Eigen::VectorXd Apply(const Eigen::VectorXd& u) const = 0;
+
+  /// The same of several u, as the columns of a matrix.
+  using Columns = std::vector<const Eigen::VectorXd*>;
+  virtual Eigen::MatrixXd ApplyToAll(const Columns& u) const;
 
   virtual double Value(const Eigen::VectorXd& u) const = 0;
 
@@ -67,11 +72,14 @@ class AngleMeasure final : public ConeMeasure {
  public:
   explicit AngleMeasure(const ConeProblem& problem);
   Eigen::VectorXd Apply(const Eigen::VectorXd& u) const override;
+  Eigen::MatrixXd ApplyToAll(const Columns& u) const override;
   double Value(const Eigen::VectorXd& u) const override;
   Eigen::VectorXd Shares(const Eigen::VectorXd& u) const override;
   bool AdaptTo(const Eigen::VectorXd& u) override;
 
  private:
+  void ApplyTogether(const Columns& u, std::size_t first, std::size_t end,
+                     Eigen::MatrixXd* result) const;
   double Predicted(Index f, const Eigen::VectorXd& u) const;
   template <class Weight>
   void SetStiffness(const Weight& weight);

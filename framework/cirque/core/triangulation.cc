@@ -90,11 +90,17 @@ void NameFan(const std::vector<Index>& twin, Index corner, Index name, std::vect
 Triangulation CutOpen(const Triangulation& t, const Cut& cut) {
   CHECK_EQ(static_cast<Index>(cut.edge.size()), t.num_edges());
   if (cut.IsEmpty()) return t;
-  std::vector<Index> twin = t.twin;
+  std::vector<Index> twin = t.twin, fan = t.vertex;
+  std::vector<bool> opened(t.num_vertices, false);
   for (Index h = 0; h < t.num_halfedges(); ++h) {
-    if (cut.edge[t.edge[h]]) twin[h] = kNone;
+    if (!cut.edge[t.edge[h]]) continue;
+    twin[h] = kNone;
+    opened[t.Tail(h)] = opened[t.Tip(h)] = true;
   }
-  std::vector<Index> fan(t.num_halfedges(), kNone);
+  // The corners of all other vertices are one fan as they were.
+  for (Index& v : fan) {
+    if (opened[v]) v = kNone;
+  }
   std::vector<bool> named(t.num_vertices, false);
   Index num_fans = t.num_vertices;
   for (Index c = 0; c < t.num_halfedges(); ++c) {

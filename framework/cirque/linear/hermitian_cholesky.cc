@@ -13,7 +13,7 @@ namespace {
 using Simplicial = Eigen::SimplicialLLT<ComplexSparseMatrix, Eigen::Lower>;
 
 #ifdef CIRQUE_CHOLMOD
-constexpr Eigen::Index kSupernodal = 4000;  ///< unknowns from which dense blocks pay
+constexpr Eigen::Index kSupernodal = 2500;  ///< unknowns from which dense blocks pay
 
 class Supernodal final : public Eigen::CholmodSupernodalLLT<ComplexSparseMatrix, Eigen::Lower> {
  public:

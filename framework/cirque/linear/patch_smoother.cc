@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kChanged = 0.05;      ///< of a diagonal entry
 constexpr double kMostChanged = 0.05;  ///< of all rows
-constexpr int kRings = 3;              ///< of neighbours of changed rows
-constexpr int kSweeps = 8;
+constexpr int kRings = 2;              ///< of neighbours of changed rows
+constexpr int kSweeps = 4;
 constexpr int kTasks = 16;
 
 /// The rows whose diagonal entry changed.
