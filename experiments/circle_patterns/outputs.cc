@@ -126,9 +126,13 @@ Status WritePlane(const CirclePatternsJob& job, const Input& input, std::ostream
     if (Status s = WriteFlatMetric(job, report, map); !s.ok()) return s;
   }
   const Triangulation& t = input.surface.triangulation;
-  const Status measured = WriteMeasures(
-      job, {t, MeasureEdgeLengths(input.surface), input.surface.position, t.vertex}, uv, report);
-  if (!measured.ok() || !WantsPictures(job)) return measured;
+  if (!job.measures.empty()) {
+    const EdgeLengths lengths = MeasureEdgeLengths(input.surface);
+    const Status measured =
+        WriteMeasures(job, {t, lengths, input.surface.position, t.vertex}, uv, report);
+    if (!measured.ok()) return measured;
+  }
+  if (!WantsPictures(job)) return Status();
   UvMap image = MakeUvMap(input.surface, uv);
   image.lattice = lattice;
   return WritePictures(job.view, job.picture, TitleOf(job), image, map->certificate, report);

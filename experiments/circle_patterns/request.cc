@@ -118,6 +118,11 @@ StatusOr<Cut> CutAlongPaths(std::string_view text, const Triangulation& t,
   return CutAlongShortestPaths(t, costs, ends);
 }
 
+/// Whether a file or an option of the job numbers edges or loops as the mesh's file does.
+bool NamesEdges(const CirclePatternsJob& job) {
+  return !(job.cut.empty() && job.cut_paths.empty() && job.rotations.empty());
+}
+
 }  // namespace
 
 StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vertices,
@@ -133,11 +138,12 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
       job, surface.triangulation, {num_file_vertices, surface.soup_vertex}, &request.cone_rounding);
   if (!targets.ok()) return targets.status();
   request.targets = *std::move(targets);
-  auto cut = PrescribedCut(job, surface.triangulation, MeasureEdgeLengths(surface),
-                           NumbersInFile(surface));
+  if (!NamesEdges(job)) return request;
+  const FileNumbers numbers = NumbersInFile(surface);
+  auto cut = PrescribedCut(job, surface.triangulation, MeasureEdgeLengths(surface), numbers);
   if (!cut.ok()) return cut.status();
   request.cut = *std::move(cut);
-  auto rotations = RotationsAlongLoops(job, surface.triangulation, NumbersInFile(surface));
+  auto rotations = RotationsAlongLoops(job, surface.triangulation, numbers);
   if (!rotations.ok()) return rotations.status();
   request.rotations = *std::move(rotations);
   return request;
