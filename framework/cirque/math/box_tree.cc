@@ -1,7 +1,7 @@
 #include "cirque/math/box_tree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <utility>
 
 namespace cirque {
@@ -12,29 +12,40 @@ constexpr Index kLeafSize = 8;  ///< boxes
 }  // namespace
 
 template <int N>
-BoxTreeOf<N>::BoxTreeOf(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!boxes_.empty()) Build(0, static_cast<Index>(boxes_.size()));
+BoxTreeOf<N>::BoxTreeOf(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+  std::vector<Item> items(boxes_.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Eigen::Matrix<double, N, 1> centre = boxes_[i].min() + boxes_[i].max();
+    std::copy(centre.begin(), centre.end(), items[i].centre.begin());
+    items[i].box = static_cast<Index>(i);
+  }
+  if (!items.empty()) Build(0, static_cast<Index>(items.size()), &items);
+  order_.reserve(items.size());
+  for (const Item& item : items) order_.push_back(item.box);
 }
 
 template <int N>
-Index BoxTreeOf<N>::Build(Index begin, Index end) {
+Index BoxTreeOf<N>::Build(Index begin, Index end, std::vector<Item>* items) {
   const auto id = static_cast<Index>(nodes_.size());
-  Node node{.begin = begin, .end = end};
-  for (Index k = begin; k < end; ++k) node.box.extend(boxes_[order_[k]]);
-  nodes_.push_back(node);
-  if (end - begin <= kLeafSize) return id;
+  nodes_.push_back({.begin = begin, .end = end});
+  if (end - begin <= kLeafSize) {
+    for (Index k = begin; k < end; ++k) nodes_[id].box.extend(boxes_[(*items)[k].box]);
+    return id;
+  }
+  Box centres;
+  for (Index k = begin; k < end; ++k) {
+    centres.extend(Eigen::Map<const Eigen::Matrix<double, N, 1>>((*items)[k].centre.data()));
+  }
   Eigen::Index axis = 0;
-  node.box.sizes().maxCoeff(&axis);
+  centres.sizes().maxCoeff(&axis);
   const Index middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](Index i, Index j) {
-                     return boxes_[i].min()[axis] + boxes_[i].max()[axis] <
-                            boxes_[j].min()[axis] + boxes_[j].max()[axis];
-                   });
-  const Index left = Build(begin, middle), right = Build(middle, end);
+  std::nth_element(
+      items->begin() + begin, items->begin() + middle, items->begin() + end,
+      [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
+  const Index left = Build(begin, middle, items), right = Build(middle, end, items);
   nodes_[id].left = left;
   nodes_[id].right = right;
+  nodes_[id].box = nodes_[left].box.merged(nodes_[right].box);
   return id;
 }
 

@@ -11,7 +11,7 @@
 
 namespace cirque {
 
-/// A binary tree of boxes in the plane or in space, halved at the median along the longest side:
+/// A binary tree of boxes in the plane or in space, halved at the median along the axis of the widest centres:
 /// finds those that meet a given set in O(log n + found), however much their sizes differ.
 template <int N>
 class BoxTreeOf {
@@ -53,11 +53,17 @@ class BoxTreeOf {
     Index left = kNone, right = kNone;
   };
 
-  Index Build(Index begin, Index end);
+  /// A box by twice its centre.
+  struct Item {
+    std::array<double, N> centre;
+    Index box;
+  };
+
+  Index Build(Index begin, Index end, std::vector<Item>* items);
 
   std::vector<Box> boxes_;
-  std::vector<Index> order_;
-  std::vector<Node> nodes_;  ///< the root first
+  std::vector<Index> order_;  ///< the boxes leaf by leaf
+  std::vector<Node> nodes_;   ///< the root first
 };
 
 extern template class BoxTreeOf<2>;
