@@ -54,11 +54,30 @@ TEST(Flatten, WhereTheDualHasWanderedTheInputsOwnTrianglesAreFittedFirst) {
   for (const bool wandered : {false, true}) {
     FlatSurface flat;
     Certificate certificate;
-    const FlattenJob job = {surface, targets, {}, {}, nullptr, nullptr, wandered};
+    const DualFit dual = wandered ? DualFit::kWandered : DualFit::kFirst;
+    const FlattenJob job = {surface, targets, {}, {}, nullptr, nullptr, dual};
     ASSERT_TRUE(Flatten(job, &certificate, &flat).ok());
     EXPECT_EQ(flat.intrinsic.flips.empty(), wandered);
     EXPECT_EQ(certificate.angle_fit->solver == "interior_point", wandered);
     EXPECT_TRUE(flat.on_input.flipped.empty());
+  }
+}
+
+// One step is not enough for the dual; the interior point has steps of its own.
+TEST(Flatten, TheInteriorPointDecidesOnlyWhereAMapIsWantedAnyway) {
+  const Case c(GeneratedSurface("bumpy_terrain", 600));
+  const ConeTargets targets = *DefaultTargets(c.surface);
+  const IntrinsicSurface surface = c.Measured();
+  ParameterizeOptions options;
+  options.max_iterations = 1;
+  for (const DualFit dual : {DualFit::kFirst, DualFit::kOrNothing}) {
+    FlatSurface flat;
+    Certificate certificate;
+    const Status status =
+        Flatten({surface, targets, options, {}, nullptr, nullptr, dual}, &certificate, &flat);
+    const bool decided = certificate.angle_fit->solver == "interior_point";
+    EXPECT_EQ(decided, dual == DualFit::kFirst) << status.message();
+    EXPECT_TRUE(decided || status.code() == StatusCode::kNotConverged) << status.message();
   }
 }
 

@@ -154,7 +154,8 @@ TEST_F(Ladder, RoadsAfterOneOnWhichTheDualWanderedKnowIt) {
     EXPECT_TRUE(IsConedWhereCurved(taken_[taken_.size() - 2]));
     for (std::size_t i = 0; i < taken_.size(); ++i) {
       const bool knows = wandered && i > 1 && !IsConedWhereCurved(taken_[i]);
-      EXPECT_EQ(taken_[i].dual_wandered, knows) << i << taken_[i].options.cones;
+      EXPECT_EQ(taken_[i].dual, knows ? DualFit::kWandered : DualFit::kFirst)
+          << i << taken_[i].options.cones;
     }
   }
 }
@@ -230,6 +231,18 @@ TEST_F(Ladder, AMapOfNoUseGetsConesWhereTheSurfaceIsCurved) {
   EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50"));
   EXPECT_EQ(map_.certificate.ladder->since, "the map was distorted");
   EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 1.2);
+}
+
+// Of a map that there is nothing is asked but what the dual finds soon.
+TEST_F(Ladder, ADistortedMapIsKeptWhereTheDualFindsNoAnglesNearTheSurfacesOwn) {
+  const auto distorted = Distorted(5, 1.2);
+  EXPECT_TRUE(Climb({}, [&](const Road& road, Parameterization* map) {
+                if (road.options.cones.empty()) return distorted(road, map);
+                EXPECT_EQ(road.dual, DualFit::kOrNothing);
+                return Status(StatusCode::kNotConverged, "wanders");
+              }).ok());
+  EXPECT_THAT(Tried(), ElementsAre("as_asked", "curved_50", "curved_90", "curved_99"));
+  EXPECT_EQ(map_.certificate.distortion->quasi_conformal_mean, 5);
 }
 
 TEST_F(Ladder, WhatIsCutToAlmostEveryVertexAndStillDistortedIsUnfolded) {

@@ -11,6 +11,7 @@
 #include "cirque/intrinsic/input_chart.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
 #include "cirque/io/cone_file.h"
+#include "cirque/pipeline/flat_surface.h"
 #include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterization.h"
 
@@ -30,7 +31,7 @@ struct ParameterizeJob {
   const PrescribedRotations* rotations = nullptr;          ///< along loops; null: any
   bool targets_given = false;                              ///< the angle sums are the caller's own
   const std::function<Status(SolvedLayout*)>* place_exact = nullptr;  ///< null: it stays
-  bool dual_wandered = false;                                         ///< as in FlattenJob
+  DualFit dual = DualFit::kFirst;                                     ///< as in FlattenJob
   /// Faces to be laid out each by itself, and others where doubles do not hold them about one origin
   /// (LayOutAboutSeveralOrigins); null: all about one.
   const std::vector<Index>* alone = nullptr;

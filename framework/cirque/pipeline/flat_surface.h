@@ -49,6 +49,14 @@ struct FlatSurface {
   InfeasibilityCertificate infeasibility;  ///< with kInfeasible: why there is none
 };
 
+/// What to do about the angle fit's dual, which can wander where no coherent angles exist, or hardly any.
+enum class DualFit {
+  kFirst,      ///< the interior point decides where it wanders
+  kWandered,   ///< it did with targets before these: the interior point is tried first, on the
+               ///< surface's own triangles, where the other decided too
+  kOrNothing,  ///< where it wanders no map is wanted
+};
+
 /// What is to be flattened, and how.
 struct FlattenJob {
   const IntrinsicSurface& surface;
@@ -59,9 +67,7 @@ struct FlattenJob {
   const std::vector<bool>* locked = nullptr;
   /// Along loops of the surface's triangulation; null: any.
   const PrescribedRotations* rotations = nullptr;
-  /// With targets before these the dual wandered, and the interior point decided on the surface's own
-  /// triangles: it is tried there first.
-  bool dual_wandered = false;
+  DualFit dual = DualFit::kFirst;
 };
 
 }  // namespace cirque

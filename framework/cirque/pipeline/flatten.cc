@@ -69,7 +69,7 @@ class Flattening {
     result_.exact.reset();
     if (Status s = CheckTargets(job_.surface, targets_, &result_.infeasibility); !s.ok()) return s;
     if (options_.triangulation == SolvedTriangulation::kInput) return SolveAsAsked();
-    if (job_.dual_wandered && SolverIsFree() && InteriorPointIsCheap(input_)) {
+    if (job_.dual == DualFit::kWandered && SolverIsFree() && InteriorPointIsCheap(input_)) {
       const Status status = SolveOnInput(FitStart::kAfterWandering);
       if (status.code() != StatusCode::kNotConverged) return status;
     }
@@ -85,7 +85,9 @@ class Flattening {
     if (flipped.ok() && flipped->empty()) return Status();
     const bool may_do_better = flipped.ok() || MayDoBetterOnInput(flipped.status());
     if (!may_do_better || (!flipped.ok() && SolvedOnInput())) return flipped.status();
-    Status status = SolveOnInput(Wandered(flipped.status()) ? FitStart::kAfterWandering : Begin());
+    const bool wandered = Wandered(flipped.status());
+    if (wandered && job_.dual == DualFit::kOrNothing) return flipped.status();
+    Status status = SolveOnInput(wandered ? FitStart::kAfterWandering : Begin());
     if (!MayDoBetterOnInput(status)) return status;
     if (first_) return TakeFirst();
     return flipped.ok() ? AfterFlips(*flipped, status) : status;

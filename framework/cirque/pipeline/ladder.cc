@@ -52,11 +52,13 @@ class Climb {
   }
 
   /// Takes a rung's road; null: it does not apply. One that was cancelled is kept.
-  std::shared_ptr<Taken> TakeRung(const Rung& rung, const EndedRoad& last) {
+  /// `where_curved`: what the dual is to do where cones leave angles near the surface's own, of which
+  /// it finds those that there are.
+  std::shared_ptr<Taken> TakeRung(const Rung& rung, const EndedRoad& last, DualFit where_curved) {
     Road next = last.road;
     if (!rung.applies(last) || !rung.change(last, rung.number, &next)) return nullptr;
-    // Angles near the surface's own are the dual's again.
-    next.dual_wandered = dual_wandered_ && !IsConedWhereCurved(next);
+    const DualFit elsewhere = dual_wandered_ ? DualFit::kWandered : DualFit::kFirst;
+    next.dual = IsConedWhereCurved(next) ? where_curved : elsewhere;
     std::shared_ptr<Taken> taken = Take(next, rung.name);
     keeper_.CountRung();
     if (taken->status.code() == StatusCode::kCancelled) keeper_.Keep(taken);
@@ -98,7 +100,8 @@ class Climb {
     std::optional<int> least_cones;
     const EndedRoad last{start_,    asked.road,  asked.end, asked.map, asked.map.targets,
                          asked.end, &least_cones};
-    const std::shared_ptr<Taken> taken = ByCircles(last) ? TakeRung(rung, last) : nullptr;
+    const std::shared_ptr<Taken> taken =
+        ByCircles(last) ? TakeRung(rung, last, DualFit::kOrNothing) : nullptr;
     if (!taken) return true;
     if (taken->status.code() == StatusCode::kCancelled) return false;
     if (taken->end != RoadEnd::kMap) return true;
@@ -113,7 +116,7 @@ class Climb {
     for (const Rung& rung : AllRungs()) {
       const EndedRoad last{start_,     last_->road, last_->end, last_->map, first->map.targets,
                            first->end, &least_cones};
-      const std::shared_ptr<Taken> taken = TakeRung(rung, last);
+      const std::shared_ptr<Taken> taken = TakeRung(rung, last, DualFit::kFirst);
       if (!taken) continue;
       if (taken->status.code() == StatusCode::kCancelled) return;
       if (taken->end == RoadEnd::kStopped) continue;  // a heuristic that finds no cones here

@@ -7,6 +7,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/pipeline/flat_surface.h"
 #include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterization.h"
 #include "cirque/pipeline/road_keeper.h"
@@ -20,7 +21,7 @@ struct Road {
   ParameterizeOptions options = {};
   std::optional<ConeTargets> targets = {};       ///< nothing: as the options place them
   std::optional<ConeRepairSummary> repair = {};  ///< what was done to the cones of a road before
-  bool dual_wandered = false;                    ///< on a road before (FlattenJob)
+  DualFit dual = DualFit::kFirst;
 };
 
 /// Where the ladder stands.

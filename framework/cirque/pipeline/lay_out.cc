@@ -156,13 +156,9 @@ Status FlattenToTargets(const Job& job, Parameterization* result) {
   const ConeTargets targets = result->targets;
   // Seams of an exact map run along edges of the triangulation that is solved on.
   const bool locks_cut = job.options.exact && job.cut && !job.cut->IsEmpty();
-  const FlattenJob flatten = {job.surface,
-                              targets,
-                              job.options,
-                              job.control,
-                              locks_cut ? &job.cut->edge : nullptr,
-                              job.rotations,
-                              job.dual_wandered};
+  const FlattenJob flatten = {
+      job.surface,   targets, job.options, job.control, locks_cut ? &job.cut->edge : nullptr,
+      job.rotations, job.dual};
   const auto by = job.options.pattern == PatternKind::kEquivalence ? FlattenByEquivalence : Flatten;
   if (AsksForBoundary(job.surface, job.options) && HasFreeBoundary(job.surface, targets)) {
     return FlattenWithBoundary(flatten, job.file, by, &result->certificate, &result->targets,

@@ -34,7 +34,7 @@ Status ByFullestCut(Status (*lay_out)(const Job&, Parameterization*), const Job&
                     Parameterization* result) {
   const auto by = [&](const ParameterizeOptions& options, Parameterization* map) {
     return lay_out({job.surface, job.file, job.cut, options, job.control, job.inside, job.position,
-                    job.rotations, job.targets_given, job.place_exact, job.dual_wandered},
+                    job.rotations, job.targets_given, job.place_exact, job.dual},
                    map);
   };
   return MapFullest(job.options, by, result);
@@ -181,7 +181,7 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
     return TakeRoad(
         {surface, origin.file, cut, road.options, control,
          origin.inside.empty() ? nullptr : &origin.inside, origin.position, request.rotations.get(),
-         request.targets.has_value(), &request.place_exact, road.dual_wandered},
+         request.targets.has_value(), &request.place_exact, road.dual},
         road, end);
   };
   const Road asked{options, request.targets, {}};

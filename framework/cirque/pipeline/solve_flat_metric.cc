@@ -189,7 +189,8 @@ class FlatMetricSolve {
                          !objective->MeasuresTheta();
     if (at_once && Decides(problem, objective, fit, &status)) return status;
     status = FitAsAsked(problem, objective, fit);
-    const bool undecided = status.code() == StatusCode::kNotConverged && !at_once;
+    const bool undecided =
+        status.code() == StatusCode::kNotConverged && !at_once && job_.dual != DualFit::kOrNothing;
     if (undecided && result_.intrinsic.flips.empty()) Decides(problem, objective, fit, &status);
     return status;
   }
