@@ -132,6 +132,14 @@ TEST_F(MpiRanks, TwoHostsGiveTheMapOfOne) {
   EXPECT_LT(Distance(one, ReadUv(folder_.Path("two.obj"))), 1e-9);
 }
 
+/// Processes by themselves, which may run at the same time, share no folder of MPI's.
+TEST_F(MpiRanks, OneByItselfNeedsNoFolderForOthers) {
+  const ProgramResult run =
+      RunShell("TMPDIR=/dev/null " + Program("alone.obj", "--radii_solver=newton_amg"));
+  EXPECT_EQ(run.exit_status, 0) << run.output;
+  EXPECT_EQ(StrategyOf("radii", folder_.Path("alone.certificate.json")), "newton_amg");
+}
+
 TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {
   const ProgramResult run = RunShell(
       kMpirun + ("-n 2 " + Program("no/such/folder/out.obj", "--radii_solver=newton_amg")));

@@ -39,6 +39,19 @@ bool HasOtherRanks() {
   return size && std::atoi(size) > 1;
 }
 
+/// Where the user's own settings say nothing.
+void SetMpiUp() {
+  if (HasOtherRanks()) {
+    // Ranks that wait shall leave the core to those that work.
+    setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+    return;
+  }
+  // A process by itself needs no daemon for processes to come, and no folder for them, which all such
+  // processes of a machine would make and remove under one name.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+}
+
 }  // namespace
 
 PetscSession::PetscSession(bool all_ranks) : process_(getpid()) {
@@ -58,11 +71,7 @@ bool PetscSession::StartMpi(bool all_ranks) {
     return false;
   }
   const EnvironmentGuard guard;
-  // A process by itself needs no daemon for processes to come; ranks that wait shall leave the core
-  // to those that work. The user's own settings count.
-  const char* setting =
-      HasOtherRanks() ? "OMPI_MCA_mpi_yield_when_idle" : "OMPI_MCA_ess_singleton_isolated";
-  setenv(setting, "1", 0);
+  SetMpiUp();
   int provided = 0;
   owns_mpi_ = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) == MPI_SUCCESS;
   if (!owns_mpi_) error_ = "MPI could not be initialised";
