@@ -100,7 +100,7 @@ TEST_F(FaultInjection, ASweepLosesNothingAndGoesOnSlow) {
   int faults = 0;
   for (const std::string function : {"write", "fsync", "wait", "fork", "malloc"}) {
     int call = 1;
-    for (; call < 2000; call = NextCall(call) + (function == "malloc" ? 7 : 0)) {
+    for (; call < 2000; call = NextCall(call) + (function == "malloc" ? 4 : 0)) {
       fs::remove_all(folder_.Path("results"));
       const ProgramResult failed = Run(function, call, command);
       SCOPED_TRACE(fmt::format("{} {}: {} {}", function, call, failed.exit_status, failed.output));
