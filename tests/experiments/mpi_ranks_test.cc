@@ -138,6 +138,7 @@ TEST_F(MpiRanks, OneByItselfNeedsNoFolderForOthers) {
       RunShell("TMPDIR=/dev/null " + Program("alone.obj", "--radii_solver=newton_amg"));
   EXPECT_EQ(run.exit_status, 0) << run.output;
   EXPECT_EQ(StrategyOf("radii", folder_.Path("alone.certificate.json")), "newton_amg");
+  EXPECT_GT(ReadUv(folder_.Path("alone.obj")).lpNorm<Eigen::Infinity>(), 0);
 }
 
 TEST_F(MpiRanks, AnErrorOfTheFirstEndsAll) {

@@ -77,6 +77,7 @@ TEST(Flatten, TheInteriorPointDecidesOnlyWhereAMapIsWantedAnyway) {
         Flatten({surface, targets, options, {}, nullptr, nullptr, dual}, &certificate, &flat);
     const bool decided = certificate.angle_fit->solver == "interior_point";
     EXPECT_EQ(decided, dual == DualFit::kFirst) << status.message();
+    EXPECT_EQ(certificate.angle_fit->vertex_sum_residual < 1e-10, decided);
     EXPECT_TRUE(decided || status.code() == StatusCode::kNotConverged) << status.message();
   }
 }

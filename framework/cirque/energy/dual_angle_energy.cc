@@ -84,9 +84,7 @@ Eigen::VectorXd DualAngleEnergy::Maximise(const double* y, double* sum) const {
 bool DualAngleEnergy::Evaluate(const double* y, double* value, double* gradient) const {
   if (!AllFinite(y)) return false;
   const int rows = constraints_.num_rows();
-  double sum;
-  const Eigen::VectorXd alpha = Maximise(y, &sum);
-  *value = sum - TargetsTimes(y);
+  const Eigen::VectorXd alpha = Angles(y, value);
   if (gradient) {
     Eigen::Map<Eigen::VectorXd> of_row(gradient, rows);
     constraints_.Apply(alpha, of_row);
@@ -182,12 +180,8 @@ Eigen::VectorXd DualAngleEnergy::Angles(const double* y) const {
 
 Eigen::VectorXd DualAngleEnergy::Angles(const double* y, double* value) const {
   Eigen::VectorXd alpha = Maximise(y, value);
-  *value -= TargetsTimes(y);
+  *value -= ParallelSum(constraints_.num_rows(), [&](int row) { return Target(y, row) * y[row]; });
   return alpha;
-}
-
-double DualAngleEnergy::TargetsTimes(const double* y) const {
-  return ParallelSum(constraints_.num_rows(), [&](int row) { return Target(y, row) * y[row]; });
 }
 
 std::vector<double> DualAngleEnergy::ClampedReferences() const {

@@ -71,8 +71,6 @@ class DualAngleEnergy final : public Energy, private EnergySource {
     return y[row] > 0 ? constraints_.Lower(row) : constraints_.Upper(row);
   }
 
-  double TargetsTimes(const double* y) const;
-
   /// Whether that row adds up the angle at corner h.
   bool IsInRow(Index h, int row) const;
 

@@ -11,7 +11,7 @@
 
 namespace cirque {
 
-/// A binary tree of boxes in the plane or in space, halved at the median along the axis of the widest centres:
+/// A binary tree of boxes in the plane or in space, halved at the median along the axis on which their centres spread most:
 /// finds those that meet a given set in O(log n + found), however much their sizes differ.
 template <int N>
 class BoxTreeOf {

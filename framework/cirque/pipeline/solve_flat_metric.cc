@@ -181,7 +181,8 @@ class FlatMetricSolve {
   }
 
   /// By the solver that was asked for and, where that decides nothing on the input's own triangles,
-  /// by the interior point: at once where the dual has wandered before and that costs little.
+  /// by the interior point (unless no map is wanted then): at once where the dual has wandered before and
+  /// that costs little.
   Status Fit(const AngleFitProblem& problem, const std::shared_ptr<const AngleObjective>& objective,
              AngleFitResult* fit) {
     Status status;

@@ -18,7 +18,8 @@ struct NewtonOptions : SolverLimits {
 
 const OptionTable<NewtonOptions>& NewtonOptionTable();
 
-/// Newton's method with a sparse Cholesky factorisation a step and a line search on directional
+/// Newton's method with a sparse Cholesky factorisation a step (but for a last one that ChordTest leaves
+/// to the factor before) and a line search on directional
 /// derivatives. Semi-smooth energies whose generalised Hessian can be singular are regularised as
 /// Levenberg and Marquardt do: a multiple of the identity that grows 100-fold (to at least 1e-5)
 /// when steps below 1/100 are wanted or the factorisation fails, and shrinks again after full
@@ -36,7 +37,7 @@ class NewtonStrategy final : public SolverStrategy {
 /// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs
 /// (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared),
 /// but `forcing` in the first step, and where that allows not below 1e-4 or what the solve's
-/// gradient tolerance asks for.
+/// gradient tolerance asks for. The last step may go by the Hessian before (ChordTest).
 void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x);
 
 /// What every strategy on IterateInexactNewton has.
