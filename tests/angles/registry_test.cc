@@ -221,6 +221,23 @@ TEST(AngleSolvers, NamesOfSolverStrategiesMeanTheDual) {
   }
 }
 
+TEST(AngleSolvers, OptionsInTheTextPrecedeOthers) {
+  const Surface surface = GeneratedSurface("bumpy_terrain", 400);
+  const ConeTargets targets = FreeBoundaryTargets(surface.triangulation);
+  for (const std::string method : {"newton_cg", "dual", "interior_point"}) {
+    const Fitted limited = Fit(method + ":max_iterations=1", "quadratic", surface, targets, {},
+                               {{"max_iterations", "50"}});
+    EXPECT_EQ(limited.result.solve.num_iterations(), 1) << method;
+    EXPECT_EQ(limited.result.solve.termination, Termination::kIterationLimit) << method;
+  }
+  EXPECT_TRUE(CheckAngleSolver("newton_amg:max_cg_iterations=5").ok());
+  EXPECT_TRUE(CheckAngleSolver("dual:strategy=newton,max_seconds=3").ok());
+  for (const char* refused : {"interior_pint", "newton:steps=3", "dual:strategy=none",
+                              "interior_point:gap_tolerance=-1"}) {
+    EXPECT_EQ(CheckAngleSolver(refused).code(), StatusCode::kInvalidInput) << refused;
+  }
+}
+
 TEST(AngleSolvers, OptionsAreRefusedByNameValueAndBound) {
   const auto message = [](const std::string& method, const OptionMap& options) {
     return MakeAngleSolver(method, options).status().message();

@@ -17,7 +17,7 @@ class RelaxParametersTest : public ::testing::Test {
     x_ = VectorXd::Zero(b_.size());
     moves_ = 0;
     const double threshold = share * b_.lpNorm<Eigen::Infinity>();
-    return RelaxParameters(share, gradient_, [&](int i, const auto& change) {
+    return RelaxParameters(threshold, gradient_, [&](int i, const auto& change) {
       EXPECT_GT(std::abs(gradient_[i]), threshold) << "does not stand out";
       ++moves_;
       const double by = -gradient_[i] / 10;

@@ -17,7 +17,7 @@ EnergyPoint PointAt(const Energy& energy, Eigen::VectorXd x) {
 bool ExpectSoundRelax(const Energy& energy, double share, const EnergyPoint& before,
                       EnergyPoint* after) {
   Eigen::VectorXd x = before.x, gradient = before.gradient;
-  const bool relaxed = energy.Relax(share, x.data(), gradient.data());
+  const bool relaxed = energy.Relax(share * before.largest(), x.data(), gradient.data());
   *after = PointAt(energy, x);
   if (!relaxed) {
     EXPECT_EQ(x, before.x);

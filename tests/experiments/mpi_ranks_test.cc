@@ -20,6 +20,7 @@ namespace cirque {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr char kMpirun[] =
     "OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 120 "
@@ -114,6 +115,27 @@ TEST_F(MpiRanks, AnglesOfRangedSumsAreFittedWhole) {
   EXPECT_LT(Distance(ReadUv(folder_.Path("one.obj")), ReadUv(folder_.Path("two.obj"))), 1e-9);
   EXPECT_EQ(StrategyOf("angles", folder_.Path("two.certificate.json")), "newton_amg");
   EXPECT_EQ(StrategyOf("radii", folder_.Path("two.certificate.json")), "newton_amg on 2 ranks");
+}
+
+/// Where multigrid does not converge, the first rank factors what it has whole.
+TEST_F(MpiRanks, WhatMultigridDoesNotSolveIsFactored) {
+  const std::string amg = "newton_amg:max_cg_iterations=1";
+  const std::string flags = "--radii_solver=" + amg + " --angle_solver=" + amg;
+  ASSERT_EQ(RunShell(Program("factored.obj", "--radii_solver=newton_cg --angle_solver=newton"))
+                .exit_status,
+            0);
+  const Points wanted = ReadUv(folder_.Path("factored.obj"));
+  for (const std::string ranks : {"2", "4"}) {
+    const ProgramResult run =
+        RunShell(kMpirun + ("--oversubscribe -n " + ranks + " " + Program(ranks + ".obj", flags)));
+    ASSERT_EQ(run.exit_status, 0) << run.output;
+    EXPECT_LT(Distance(wanted, ReadUv(folder_.Path(ranks + ".obj"))), 1e-9);
+    for (const char* stage : {"angles", "radii"}) {
+      const std::string strategy = StrategyOf(stage, folder_.Path(ranks + ".certificate.json"));
+      EXPECT_THAT(strategy, StartsWith("newton_amg, "));
+      EXPECT_THAT(strategy, HasSubstr("factored"));
+    }
+  }
 }
 
 /// Two network namespaces: nothing but TCP joins the ranks.

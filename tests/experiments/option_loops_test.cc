@@ -35,6 +35,8 @@ std::string OtherValue(const OptionInfo& option) {
   if (option.name == "cone_angles") return "ranges:width=0.25";
   if (option.name == "refine_map") return "mips:steps=3";
   if (option.name == "cut_cost") return "visibility:directions=32";
+  if (option.name == "angle_solver") return "dual:strategy=newton,max_seconds=5";
+  if (option.name == "radii_solver") return "newton_cg:forcing=0.1";
   if (option.name == "boundary") return "least_area:share=0.5";
   return "some_text";
 }

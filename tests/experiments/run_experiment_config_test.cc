@@ -126,7 +126,7 @@ const std::vector<BadConfig>& BadConfigs() {
        ":3:16: unknown generator "
        "'bumpy_terain'; did you mean 'bumpy_terrain'?"},
       {"UnknownStrategy", Config(kMesh, "{name: a, radii_solver: newtn}"),
-       ":5:29: unknown radii_solver 'newtn'; did you mean 'newton'?"},
+       ":5:29: radii_solver: unknown solver strategy 'newtn'; did you mean 'newton'?"},
       {"UnknownCones", Config(kMesh, "{name: a, cones: gredy}"),
        ":5:22: cones: unknown cone heuristic 'gredy'; did you mean 'greedy'?"},
       {"UnknownConeOption", Config(kMesh, "{name: a, cones: [none, 'greedy:targt=1']}"),

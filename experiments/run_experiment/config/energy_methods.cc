@@ -1,12 +1,9 @@
 #include "experiments/run_experiment/config/energy_methods.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "cirque/core/option.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/registry.h"
 #include "cirque/solver/solver_strategy.h"
@@ -18,18 +15,6 @@ namespace cirque {
 namespace {
 
 constexpr char kEnergy[] = "energy", kSolver[] = "energy_solver", kStart[] = "energy_start";
-
-/// A name of KnownStrategyNames with options that it takes.
-Status CheckSolver(const std::string& text) {
-  const StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
-  if (!named.ok()) return named.status();
-  const std::vector<std::string> known = KnownStrategyNames();
-  if (std::find(known.begin(), known.end(), named->name) == known.end()) {
-    return Status::InvalidInput(UnknownName("solver strategy", named->name, known));
-  }
-  const bool is_built = SolverStrategies().Find(named->name).ok();
-  return is_built ? MakeSolverStrategy(named->name, named->options).status() : Status();
-}
 
 }  // namespace
 
@@ -47,7 +32,7 @@ Schema EnergyFields() {
                Join(KnownStrategyNames()),
        .default_text = trial.solver,
        .matrix = true,
-       .check = CheckSolver,
+       .check = CheckSolverStrategy,
        .beside = {kEnergy}},
       {.path = std::string("methods.") + kStart,
        .help = "where it begins: own, at zero, or at coherent angles where zero is outside the "

@@ -20,11 +20,6 @@ constexpr char kReference[] = "newton";
 
 using Strategy = std::shared_ptr<const SolverStrategy>;
 
-StatusOr<Strategy> StrategyOf(const std::string& text) {
-  const StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
-  return named.ok() ? MakeSolverStrategy(named->name, named->options) : named.status();
-}
-
 /// The run's outcome in the words of its certificate.
 void SetOutcome(const SolveSummary& solve, Certificate* certificate) {
   certificate->message = solve.message;
@@ -54,7 +49,7 @@ void SetFigures(const EnergyOutcome& outcome, RunResult* result) {
 
 /// The minimiser by which the run's is judged.
 StatusOr<Eigen::VectorXd> ReferenceMinimizer(const Energy& energy, const EnergyInput& input) {
-  const StatusOr<Strategy> newton = StrategyOf(kReference);
+  const StatusOr<Strategy> newton = MakeSolverStrategy(kReference);
   if (!newton.ok()) return newton.status();
   Eigen::VectorXd x = StartOf(energy, input);
   const SolveSummary solve = (*newton)->Minimize(energy, SolveControl(), &x);
@@ -70,7 +65,7 @@ Status EnergyRun(const PlannedRun& run, const Surface& surface, RunResult* resul
   const EnergyTrial& trial = run.method.trial;
   const auto factory = Energies().Find(trial.energy);
   if (!factory.ok()) return factory.status();
-  const StatusOr<Strategy> strategy = StrategyOf(trial.solver);
+  const StatusOr<Strategy> strategy = MakeSolverStrategy(trial.solver);
   if (!strategy.ok()) return strategy.status();
   const auto start = EnergyStarts().Find(trial.start);
   if (!start.ok()) return start.status();

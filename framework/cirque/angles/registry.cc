@@ -6,6 +6,7 @@
 #include "cirque/angles/augmented_lagrangian_angle_solver.h"
 #include "cirque/angles/infeasibility.h"
 #include "cirque/angles/interior_point_angle_solver.h"
+#include "cirque/core/option.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/dual_angle_energy.h"
 #include "cirque/solver/solver_strategy.h"
@@ -86,15 +87,26 @@ std::vector<std::string> AngleSolverNames() {
   return names;
 }
 
-Made MakeAngleSolver(const std::string& name, const OptionMap& options) {
-  if (const auto solver = AngleSolvers().Find(name); solver.ok()) return (*solver)(options);
+Made MakeAngleSolver(const std::string& text, const OptionMap& options) {
+  StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  if (!named.ok()) return named.status();
+  named->options.insert(options.begin(), options.end());
+  const std::string& name = named->name;
+  if (const auto solver = AngleSolvers().Find(name); solver.ok()) {
+    return (*solver)(named->options);
+  }
   const std::vector<std::string> names = AngleSolverNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     return Status::InvalidInput(UnknownName("angle solver", name, names));
   }
-  OptionMap dual = options;
-  dual["strategy"] = name;
-  return MakeDual(dual);
+  named->options["strategy"] = name;
+  return MakeDual(named->options);
+}
+
+Status CheckAngleSolver(const std::string& text) {
+  const StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  const bool is_strategy = named.ok() && CheckSolverStrategy(named->name).ok();
+  return is_strategy ? CheckSolverStrategy(text) : MakeAngleSolver(text).status();
 }
 
 }  // namespace cirque

@@ -23,10 +23,14 @@ const Registry<AngleSolverFactory>& AngleSolvers();
 /// What MakeAngleSolver takes: KnownStrategyNames(), then those of AngleSolvers().
 std::vector<std::string> AngleSolverNames();
 
-/// The solver that users mean by `name`: one of AngleSolvers(), or the dual minimised with that
-/// solver strategy. Errors (invalid input): an unknown name, with all that are known; an option
-/// that is unknown or out of bounds.
-StatusOr<std::shared_ptr<const AngleSolver>> MakeAngleSolver(const std::string& name,
+/// The solver that users mean by NAME or NAME:KEY=VALUE,...: one of AngleSolvers(), or the dual
+/// minimised with that solver strategy; `options` are those that the text does not give. Errors
+/// (invalid input): an unknown name, with all that are known; an option that is unknown or out of
+/// bounds.
+StatusOr<std::shared_ptr<const AngleSolver>> MakeAngleSolver(const std::string& text,
                                                              const OptionMap& options = {});
+
+/// Whether a config may say that (CheckSolverStrategy).
+Status CheckAngleSolver(const std::string& text);
 
 }  // namespace cirque

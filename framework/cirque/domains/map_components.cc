@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cirque/core/parallel.h"
+#include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
 namespace {
@@ -48,7 +49,7 @@ bool IsCancelled(const SolveControl& control) {
 /// Whether a solver spreads over processes, which do one thing at a time.
 bool IsDistributed(const ComponentJob& job) {
   const ParameterizeOptions& options = job.request.options;
-  return options.radii_solver == "newton_amg" || options.angle_solver == "newton_amg";
+  return IsDistributedStrategy(options.radii_solver) || IsDistributedStrategy(options.angle_solver);
 }
 
 MappedComponent MapOne(const ComponentJob& job, const SolveControl& control) {

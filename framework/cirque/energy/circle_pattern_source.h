@@ -18,8 +18,6 @@ class CirclePatternSource final : public EnergySource {
   const Triangulation& triangulation() const override { return t_; }
   int NumParameters() const override { return t_.num_faces(); }
   std::vector<int> GaugeParameters() const override { return {0}; }
-  double LeastDamping() const override { return 0; }
-  bool Relax(double, double*, double*) const override { return false; }
   std::vector<int> VertexParameters() const override { return {}; }
   EnergyData DataOf(const MeshPart& part) const override {
     EnergyData data;

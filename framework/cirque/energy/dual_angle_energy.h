@@ -37,7 +37,7 @@ class DualAngleEnergy final : public Energy, private EnergySource {
   double LeastDamping() const override { return 1e-9; }
 
   /// One row's multiplier at a time (dual_angle_relaxation.cc). Not with ranged vertices.
-  bool Relax(double share, double* y, double* gradient) const override;
+  bool Relax(double threshold, double* y, double* gradient) const override;
 
   bool Share(const double* y, const std::vector<bool>& own, double* share) const override;
 

@@ -103,11 +103,11 @@ class DualAngleEnergy::RowMove {
   std::vector<RowEdge> edges_;
 };
 
-bool DualAngleEnergy::Relax(double share, double* y, double* gradient) const {
+bool DualAngleEnergy::Relax(double threshold, double* y, double* gradient) const {
   if (constraints_.HasRanges() || objective_->TakesArrays()) return false;
   Eigen::Map<Eigen::VectorXd> of_row(gradient, NumParameters());
   RowMove move(*this, y);
-  return RelaxParameters(share, of_row, [&](int row, const auto& change) {
+  return RelaxParameters(threshold, of_row, [&](int row, const auto& change) {
     move.Take(row);
     move.Run(of_row[row]);
     move.TellChanges(change);

@@ -18,6 +18,7 @@ enum class ResidualForm {
 };
 
 class EnergySource;
+class ParameterSpace;
 
 /// Where an energy has a kink: at 0 of this parameter its slope jumps upwards by `jump` >= 0.
 struct Kink {
@@ -50,6 +51,9 @@ class Energy : public ceres::FirstOrderFunction {
   /// How ranks take this energy in parts; null: they do not.
   virtual const EnergySource* source() const { return nullptr; }
 
+  /// Where its vectors of parameters live.
+  virtual const ParameterSpace& space() const;
+
   /// The (generalised) Hessian's lower triangle. Its pattern may depend on x. False outside the
   /// domain.
   virtual bool Hessian(const double* x, SparseMatrix* lower) const = 0;
@@ -75,12 +79,14 @@ class Energy : public ceres::FirstOrderFunction {
   virtual std::vector<Kink> Kinks() const { return {}; }
 
   /// Lowers the energy where few entries of the gradient stand out, at the cost of those: minimises
-  /// over single parameters in turn until no entry exceeds `share` of the largest. `gradient` is
-  /// that at x before and after. Newton's linear systems see what happens all over the domain but
+  /// over single parameters in turn until no entry exceeds `threshold`. `gradient` is that at x
+  /// before and after. Newton's linear systems see what happens all over the domain but
   /// not how the Hessian changes along the step; this sees the other half (nonlinear elimination:
   /// P. Lanzkron, D. Rose, J. Wilkes, SIAM J. Sci. Comput. 17, 1996). False, and nothing done, by
   /// energies that have no use for it.
-  virtual bool Relax(double /*share*/, double* /*x*/, double* /*gradient*/) const { return false; }
+  virtual bool Relax(double /*threshold*/, double* /*x*/, double* /*gradient*/) const {
+    return false;
+  }
 
   virtual ResidualForm residual_form() const { return ResidualForm::kAbsent; }
 

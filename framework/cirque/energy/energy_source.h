@@ -34,8 +34,6 @@ class EnergySource {
   /// As of Energy.
   virtual int NumParameters() const = 0;
   virtual std::vector<int> GaugeParameters() const = 0;
-  virtual double LeastDamping() const = 0;
-  virtual bool Relax(double share, double* x, double* gradient) const = 0;
 
   /// Per vertex, kNone without; empty: none has one. Those of the faces are their numbers.
   virtual std::vector<int> VertexParameters() const = 0;

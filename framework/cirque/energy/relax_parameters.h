@@ -10,16 +10,14 @@
 namespace cirque {
 
 /// Minimises over single parameters, first come first served, until no entry of the gradient
-/// exceeds `share` of its largest at the beginning, or so many moves are made that it would be
-/// dear. `move(i, change)` moves parameter i and calls change(j, by) for every entry of the
+/// exceeds `threshold`, or so many moves are made that it would be dear. `move(i, change)` moves parameter i and calls change(j, by) for every entry of the
 /// gradient that changes. False, and nothing done, where so many entries stand out that the whole
 /// energy is meant.
 template <class Move>
-bool RelaxParameters(double share, Eigen::Ref<Eigen::VectorXd> gradient, const Move& move) {
+bool RelaxParameters(double threshold, Eigen::Ref<Eigen::VectorXd> gradient, const Move& move) {
   constexpr int kMovesEach = 20;
   constexpr double kMostParameters = 0.02, kMostMoves = 0.1;  // as shares of all parameters
   const auto all = static_cast<double>(gradient.size());
-  const double threshold = share * gradient.lpNorm<Eigen::Infinity>();
   std::vector<int> queue;
   std::vector<bool> waits(gradient.size(), false);
   const auto push = [&](int i) {

@@ -19,7 +19,9 @@ constexpr double kScatteredMean = 0.03;  ///< of what is outside the outliers, i
 /// Where one step is to be made at least, on a map whose boundary slides: the first is cut short where
 /// a circle bends away from the tangents.
 constexpr int kStepsOfSliding = 3;
-constexpr Index kSmallMap = 1000;    ///< faces up to which steps on the whole map cost nothing
+constexpr Index kSmallMap = 1000;  ///< faces up to which steps on the whole map cost nothing
+constexpr double kOnceIfSmall =
+    1.0 / 6;                         ///< of the mean energy from which there is a step at least
 constexpr Index kLargeMap = 200000;  ///< faces from which steps on the whole map must bring more
 
 /// A set of vertices in independent patches: no face has moving vertices of two.
@@ -198,9 +200,9 @@ void PatchRefiner::RefineOnce(const PatchSet& set) {
 void PatchRefiner::RefineWhole() {
   const bool large = t_.num_faces() > kLargeMap;
   const bool bad = mean_ > (large ? 2 : 1) * options_.mean;
-  const bool once = !large && mean_ > options_.once;
-  if (cancelled() || !(bad || once)) return;
   const bool small = t_.num_faces() <= kSmallMap;
+  const bool once = !large && mean_ > (small ? kOnceIfSmall : 1) * options_.once;
+  if (cancelled() || !(bad || once)) return;
   const int fewest = map_.HasRails() ? kStepsOfSliding : 1;
   const int steps = bad ? (small ? 10 : 1) * options_.steps : std::min(fewest, options_.steps);
   const double times = large ? 5 : small ? 0.01 : 1;

@@ -33,12 +33,16 @@ std::vector<Option<O>> SolveOptions() {
                 "the objective of the angle fit; quadratic and barrier are the thesis's")
           .OneOf(AngleObjectives().Names())
           .Formerly("angle_fit"),
-      Option<O>("angle_solver", &O::angle_solver, "the solver of the angle fit")
-          .OneOf(AngleSolverNames())
+      Option<O>("angle_solver", &O::angle_solver,
+                "the solver of the angle fit, NAME or NAME:KEY=VALUE,...; names " +
+                    Join(AngleSolverNames()))
+          .Checked(CheckAngleSolver)
           .Formerly("angle_strategy"),
       Option<O>("radii_solver", &O::radii_solver,
-                "the solver of the log radii, or of the log scales of equivalence")
-          .OneOf(KnownStrategyNames())
+                "the solver of the log radii, or of the log scales of equivalence, NAME or "
+                "NAME:KEY=VALUE,...; names " +
+                    Join(KnownStrategyNames()))
+          .Checked(CheckSolverStrategy)
           .Formerly("strategy")};
 }
 

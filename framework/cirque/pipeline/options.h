@@ -67,8 +67,8 @@ struct ParameterizeOptions {
   SolvedTriangulation triangulation = SolvedTriangulation::kDelaunay;
   int retriangulate = 0;                    ///< rounds of flips of active edges (Retriangulate)
   std::string angle_objective = "entropy";  ///< a name of AngleObjectives()
-  std::string angle_solver = "auto";        ///< a name of AngleSolverNames()
-  std::string radii_solver = "auto";        ///< a name of SolverStrategies(), for the log radii
+  std::string angle_solver = "auto";        ///< as MakeAngleSolver takes it
+  std::string radii_solver = "auto";        ///< as MakeSolverStrategy takes it, for the log radii
   LayoutMethod layout = LayoutMethod::kDirections;
   /// A name of ConeHeuristics(), with options as in "greedy:target=0.1"; empty: DefaultTargets,
   /// which are no cones with a boundary. For targets that are not given otherwise.

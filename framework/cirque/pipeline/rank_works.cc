@@ -9,7 +9,7 @@ const RankWorks& AllRankWorks() {
       {kCirclePatternWork, [](Ranks& ranks) { return std::make_unique<PatternPart>(&ranks); }},
       {kDualAngleWork,
        [](Ranks& ranks) {
-         return std::make_unique<EnergyPart>(&ranks, EnergyPartMakers().at(kDualAngleWork));
+         return std::make_unique<NewtonPart>(&ranks, EnergyPartMakers().at(kDualAngleWork));
        }},
   };
   return kTable;

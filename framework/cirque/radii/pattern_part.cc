@@ -39,15 +39,15 @@ class PatternPart::Domain final : public VolumeDomain {
 };
 
 PatternPart::PatternPart(Ranks* ranks)
-    : EnergyPart(ranks, EnergyPartMakers().at(kCirclePatternWork)) {}
+    : NewtonPart(ranks, EnergyPartMakers().at(kCirclePatternWork)) {}
 
 void PatternPart::Do(int task) {
-  if (task != kMaximizeVolume) return EnergyPart::Do(task);
+  if (task != kMaximizeVolume) return NewtonPart::Do(task);
   Domain domain(this);
   Eigen::VectorXd rho;
   MaximizeVolume(triangulation(), data().angles, static_cast<const CirclePatternEnergy&>(energy()),
                  Told(call.tolerance), &domain, &rho);
-  Gather(OwnOf(rho));
+  Gather(OwnOf(rho), call.result);
 }
 
 }  // namespace cirque

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "cirque/solver/newton_on_ranks.h"
+
 namespace cirque {
 
 std::unique_ptr<EnergyOnRanks> EnergyOnRanks::Make(const EnergySource& source,
@@ -12,13 +14,13 @@ std::unique_ptr<EnergyOnRanks> EnergyOnRanks::Make(const EnergySource& source,
   if (!work->IsKnown()) return nullptr;
   const std::string method = MethodOf(options, *library);
   return std::unique_ptr<EnergyOnRanks>(
-      new EnergyOnRanks(*library, source, std::move(work), {method, options.max_cg_iterations}));
+      new EnergyOnRanks(source, std::move(work), {method, options.max_cg_iterations}));
 }
 
-EnergyOnRanks::EnergyOnRanks(const MultigridLibrary& library, const EnergySource& source,
+EnergyOnRanks::EnergyOnRanks(const EnergySource& source,
                              std::unique_ptr<SharedWork<EnergyPart>> work,
                              const AmgOptions& options)
-    : library_(library), source_(source), work_(std::move(work)) {
+    : source_(source), work_(std::move(work)) {
   call().source = &source;
   call().options = options;
   work_->Do(EnergyPart::kTake);
@@ -44,36 +46,16 @@ bool EnergyOnRanks::Evaluate(const double* x, double* value, double* gradient) c
   return gradient ? Gradient(x, gradient) : true;
 }
 
-bool EnergyOnRanks::Linearize(const double* x, double* mean_diagonal) const {
-  call().x = x;
-  const bool done = Do(EnergyPart::kLinearize);
-  *mean_diagonal = call().number;
-  return done;
-}
-
-bool EnergyOnRanks::LinearizeSmooth(const double* x, double* mean_diagonal) const {
-  call().x = x;
-  const bool done = Do(EnergyPart::kLinearizeSmooth);
-  *mean_diagonal = call().number;
-  return done;
-}
-
-bool EnergyOnRanks::PrepareForSystemsNear(double damping, SolveSummary* summary) const {
-  call().damping = damping;
-  call().summary = summary;
-  return Do(EnergyPart::kPrepare);
-}
-
-bool EnergyOnRanks::Solve(double damping, const Eigen::VectorXd& right_side, double tolerance,
-                          Eigen::VectorXd* x, SolveSummary* summary) const {
-  x->resize(right_side.size());
-  call().damping = damping;
-  call().tolerance = tolerance;
-  call().x = right_side.data();
+SolveSummary EnergyOnRanks::Minimize(const InexactNewtonOptions& options,
+                                     const SolveControl& control, Eigen::VectorXd* x) const {
+  SolveSummary summary;
+  call().newton = options;
+  call().control = &control;
+  call().x = x->data();
   call().result = x->data();
-  call().summary = summary;
-  failed_ = !Do(EnergyPart::kSolve);
-  return !failed_;
+  call().summary = &summary;
+  failed_ = !Do(NewtonPart::kMinimize);
+  return summary;
 }
 
 }  // namespace cirque

@@ -37,15 +37,14 @@ std::vector<int> PlacesOf(const std::vector<int>& wanted, const std::vector<int>
 }  // namespace
 
 void EnergyPart::Do(int task) {
-  switch (task) {
-    case kTake:
-      return Take();
-    case kPrepare:
-      return Prepare();
-    case kSolve:
-      return Solve();
-    default:
-      return Evaluate(task);
+  if (task == kTake) return Take();
+  const Eigen::VectorXd x = Scatter(call.x);
+  if (task == kShare) {
+    call.done = Value(x, &call.number);
+  } else {
+    Eigen::VectorXd gradient;
+    call.done = Gradient(x, &gradient);
+    Gather(gradient, call.result);
   }
 }
 
@@ -65,13 +64,11 @@ void EnergyPart::HandOut() {
   const EnergySource& source = *call.source;
   const MeshPartition parts(source.triangulation(), source.VertexParameters(), ranks_.num_ranks());
   const std::vector<int> gauge = source.GaugeParameters();
-  of_part_.resize(ranks_.num_ranks());
   own_.resize(ranks_.num_ranks());
   for (int r = ranks_.num_ranks() - 1; r >= 0; --r) {
     MeshPart part = parts.Part(r);
     EnergyData data = source.DataOf(part);
     own_[r] = OwnParameters(part, r);
-    of_part_[r] = std::move(part.parameter);
     const std::vector<int> of_gauge = PlacesOf(gauge, own_[r]);
     if (r == 0) {
       Keep(std::move(part), std::move(data), of_gauge);
@@ -122,26 +119,26 @@ void EnergyPart::MakeSolver() {
   solver_.emplace(&*halo_, method, most);
 }
 
-Eigen::VectorXd EnergyPart::Scatter() {
+Eigen::VectorXd EnergyPart::Scatter(const double* all) const {
   if (ranks_.rank() == 0) {
     for (int r = 1; r < ranks_.num_ranks(); ++r) {
-      const Eigen::VectorXd values = At(of_part_[r], call.x);
+      const Eigen::VectorXd values = At(own_[r], all);
       ranks_.Send(r, values.data(), values.size() * sizeof(double));
     }
-    return At(of_part_[0], call.x);
+    return At(own_[0], all);
   }
-  Eigen::VectorXd values(static_cast<Eigen::Index>(slot_.size()));
+  Eigen::VectorXd values(num_own());
   ranks_.Receive(0, values.data(), values.size() * sizeof(double));
   return values;
 }
 
-void EnergyPart::Gather(const Eigen::VectorXd& own) {
+void EnergyPart::Gather(const Eigen::VectorXd& own, double* all) const {
   if (ranks_.rank() > 0) return ranks_.Send(0, own.data(), own.size() * sizeof(double));
   for (int r = 0; r < ranks_.num_ranks(); ++r) {
     Eigen::VectorXd values(static_cast<Eigen::Index>(own_[r].size()));
     if (r > 0) ranks_.Receive(r, values.data(), values.size() * sizeof(double));
     const Eigen::VectorXd& of_rank = r == 0 ? own : values;
-    for (Eigen::Index k = 0; k < of_rank.size(); ++k) call.result[own_[r][k]] = of_rank[k];
+    for (Eigen::Index k = 0; k < of_rank.size(); ++k) all[own_[r][k]] = of_rank[k];
   }
 }
 
@@ -156,39 +153,63 @@ Eigen::VectorXd EnergyPart::WithOthers(const Eigen::VectorXd& own) const {
   return At(slot_, local.data());
 }
 
-void EnergyPart::Evaluate(int task) {
-  const Eigen::VectorXd x = Scatter();
-  bool done = false;
-  if (task == kGradient) {
-    Eigen::VectorXd gradient(x.size());
-    done = energy_->Gradient(x.data(), gradient.data());
-    Gather(OwnOf(gradient));
-  } else if (task == kShare) {
-    done = energy_->Share(x.data(), is_own_, &call.number);
-    call.number = ranks_.Sum(call.number);
-  } else {
-    solver_->ForgetRows();
-    SparseMatrix lower;
-    done = task == kLinearize ? energy_->Hessian(x.data(), &lower)
-                              : energy_->SmoothHessian(x.data(), &lower);
-    if (done) SetMatrix(lower);
-    call.number = solver_->MeanDiagonal();
+bool EnergyPart::Value(const Eigen::VectorXd& x, double* value) {
+  const bool done = energy_->Share(WithOthers(x).data(), is_own_, value);
+  *value = ranks_.Sum(*value);
+  return ranks_.All(done);
+}
+
+bool EnergyPart::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
+  const Eigen::VectorXd of_part = WithOthers(x);
+  Eigen::VectorXd slopes(of_part.size());
+  const bool done = energy_->Gradient(of_part.data(), slopes.data());
+  *gradient = OwnOf(slopes);
+  return ranks_.All(done);
+}
+
+bool EnergyPart::Relax(double threshold, Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
+  Eigen::VectorXd of_part = WithOthers(*x), slopes = WithOthers(*gradient);
+  for (Eigen::Index p = 0; p < slopes.size(); ++p) {
+    if (!is_own_[p]) slopes[p] = 0;
   }
-  call.done = ranks_.All(done);
+  const bool here = energy_->Relax(threshold, of_part.data(), slopes.data());
+  if (ranks_.All(!here)) return false;
+  *x = OwnOf(of_part);
+  return Gradient(*x, gradient);
 }
 
-void EnergyPart::Prepare() {
-  solver_->Damp(Told(call.damping));
-  call.done = solver_->PrepareForSystemsNear(Summary());
+bool EnergyPart::Linearize(const Eigen::VectorXd& x, double* mean_diagonal) {
+  solver_->ForgetRows();
+  SparseMatrix lower;
+  const bool defined = energy_->Hessian(WithOthers(x).data(), &lower);
+  return SetIfDefined(defined, lower, mean_diagonal);
 }
 
-void EnergyPart::Solve() {
-  const Eigen::VectorXd right_side = OwnOf(Scatter());
-  solver_->Damp(Told(call.damping));
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
-  call.done = solver_->Solve(right_side, Told(call.tolerance), &x, Summary());
-  if (x.size() != right_side.size()) x.setZero(right_side.size());
-  Gather(x);
+bool EnergyPart::LinearizeSmooth(const Eigen::VectorXd& x, double* mean_diagonal) {
+  solver_->ForgetRows();
+  SparseMatrix lower;
+  const bool defined = energy_->SmoothHessian(WithOthers(x).data(), &lower);
+  return SetIfDefined(defined, lower, mean_diagonal);
+}
+
+/// Nothing is set, and false, where it is not defined on all ranks.
+bool EnergyPart::SetIfDefined(bool defined, const SparseMatrix& lower, double* mean_diagonal) {
+  if (!ranks_.All(defined)) return false;
+  SetMatrix(lower);
+  *mean_diagonal = solver_->MeanDiagonal();
+  return true;
+}
+
+bool EnergyPart::PrepareForSystemsNear(double damping, SolveSummary* summary) {
+  solver_->Damp(damping);
+  return solver_->PrepareForSystemsNear(summary);
+}
+
+bool EnergyPart::Solve(double damping, const Eigen::VectorXd& right_side, double tolerance,
+                       Eigen::VectorXd* x, SolveSummary* summary) {
+  solver_->Damp(damping);
+  x->setZero(right_side.size());
+  return solver_->Solve(right_side, tolerance, x, summary);
 }
 
 void EnergyPart::SetMatrix(const SparseMatrix& lower) {

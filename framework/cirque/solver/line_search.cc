@@ -22,9 +22,10 @@ class Search {
       : x_(x),
         direction_(direction),
         run_(run),
-        slope0_(gradient.dot(direction)),
-        norm0_(gradient.norm()),
-        largest0_(gradient.lpNorm<Eigen::Infinity>()),
+        space_(run->space()),
+        slope0_(space_.Dot(gradient, direction)),
+        norm0_(space_.Norm(gradient)),
+        largest0_(space_.LargestEntry(gradient)),
         low_slope_(slope0_) {}
 
   void Run(LineSearchResult* point) {
@@ -35,7 +36,7 @@ class Search {
         t = low_ + 0.5 * (t - low_);
         continue;
       }
-      const double slope = point->gradient.dot(direction_);
+      const double slope = space_.Dot(point->gradient, direction_);
       if (slope <= 0) {
         const bool too_short = high_ == kNoBound && slope < kUnchangedSlope * slope0_;
         if (!too_short) return;
@@ -64,8 +65,8 @@ class Search {
   /// Near the minimum either norm may be rounding, and the slope is where the direction has much of
   /// a gauge's kernel.
   bool AcceptableOvershoot(double slope, const LineSearchResult& point) const {
-    const double left = std::min(point.gradient.norm() / norm0_,
-                                 point.gradient.lpNorm<Eigen::Infinity>() / largest0_);
+    const double left = std::min(space_.Norm(point.gradient) / norm0_,
+                                 space_.LargestEntry(point.gradient) / largest0_);
     return left <= kFarBelow || (left <= kOvershootGradient && slope <= -kOvershootSlope * slope0_);
   }
 
@@ -80,6 +81,7 @@ class Search {
   const Eigen::VectorXd& x_;
   const Eigen::VectorXd& direction_;
   SolveRun* run_;
+  const ParameterSpace& space_;
   const double slope0_, norm0_, largest0_;
   double low_ = 0, low_slope_, high_ = kNoBound;
   LineSearchResult best_;

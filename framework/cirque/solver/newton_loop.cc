@@ -52,10 +52,11 @@ void LevenbergMarquardtDamping::Adapt(double step_length) {
 }
 
 ChordTest::ChordTest(const SolveRun& run)
-    : goal_(run.kinks().empty() ? kBelowTolerance * run.gradient_tolerance() : 0) {}
+    : space_(run.space()),
+      goal_(run.kinks().empty() ? kBelowTolerance * run.gradient_tolerance() : 0) {}
 
 bool ChordTest::LastHessianDoes(const Eigen::VectorXd& gradient) {
-  const double now = gradient.lpNorm<Eigen::Infinity>();
+  const double now = space_.LargestEntry(gradient);
   const bool does = last_max_ > 0 && now * (now / last_max_) < goal_;
   last_max_ = now;
   return does;

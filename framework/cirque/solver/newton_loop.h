@@ -59,6 +59,7 @@ class ChordTest {
   bool LastHessianDoes(const Eigen::VectorXd& gradient);
 
  private:
+  const ParameterSpace& space_;
   const double goal_;    ///< 0: none
   double last_max_ = 0;  ///< of the gradient at the last step's start; 0: there was none
 };

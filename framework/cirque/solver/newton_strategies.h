@@ -7,6 +7,7 @@
 #include "cirque/linear/amg_system_solver.h"
 #include "cirque/linear/system_solver.h"
 #include "cirque/solver/energy_on_ranks.h"
+#include "cirque/solver/inexact_newton.h"
 #include "cirque/solver/solve_run.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -32,17 +33,6 @@ class NewtonStrategy final : public SolverStrategy {
 
  private:
   NewtonOptions options_;
-};
-
-/// Newton's method whose linear systems `solver` solves as tightly as superlinear convergence needs
-/// (Eisenstat & Walker 1996, choice 2): relative residual min(forcing, |g| / |g_before| squared),
-/// but `forcing` in the first step, and where that allows not below 1e-4 or what the solve's
-/// gradient tolerance asks for. The last step may go by the Hessian before (ChordTest).
-void IterateInexactNewton(double forcing, SystemSolver* solver, SolveRun* run, Eigen::VectorXd* x);
-
-/// What every strategy on IterateInexactNewton has.
-struct InexactNewtonOptions : SolverLimits {
-  double forcing = 0.01;  ///< relative residual of the first steps' linear systems
 };
 
 struct NewtonCgOptions : InexactNewtonOptions {
@@ -86,9 +76,6 @@ class NewtonAmgStrategy final : public SolverStrategy {
   std::unique_ptr<EnergyOnRanks> TakeToRanks(const EnergySource& source) const override;
 
  private:
-  SolveSummary MinimizeOnRanks(const EnergyOnRanks& energy, const SolveControl& control,
-                               Eigen::VectorXd* x) const;
-
   /// With the systems of an energy that is whole.
   SolveSummary MinimizeWhole(const Energy& energy, const SolveControl& control,
                              Eigen::VectorXd* x) const;

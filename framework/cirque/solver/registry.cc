@@ -1,5 +1,9 @@
 #include "cirque/linear/registry.h"
 
+#include <algorithm>
+
+#include "cirque/core/option.h"
+#include "cirque/core/text.h"
 #include "cirque/linear/lagged_factorization.h"
 #include "cirque/solver/ceres_strategies.h"
 #include "cirque/solver/newton_strategies.h"
@@ -44,12 +48,31 @@ std::unique_ptr<EnergyOnRanks> SolverStrategy::TakeToRanks(const EnergySource&) 
   return nullptr;
 }
 
-StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
+StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& text,
                                                                    const OptionMap& options) {
-  if (name == kMultigridStrategy && !BuiltWithMultigrid()) return MultigridNotBuilt();
-  const auto factory = SolverStrategies().Find(name);
+  StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  if (!named.ok()) return named.status();
+  if (named->name == kMultigridStrategy && !BuiltWithMultigrid()) return MultigridNotBuilt();
+  const auto factory = SolverStrategies().Find(named->name);
   if (!factory.ok()) return factory.status();
-  return (*factory)(options);
+  named->options.insert(options.begin(), options.end());
+  return (*factory)(named->options);
+}
+
+Status CheckSolverStrategy(const std::string& text) {
+  const StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  if (!named.ok()) return named.status();
+  const std::vector<std::string> known = KnownStrategyNames();
+  if (std::find(known.begin(), known.end(), named->name) == known.end()) {
+    return Status::InvalidInput(UnknownName("solver strategy", named->name, known));
+  }
+  const bool is_built = SolverStrategies().Find(named->name).ok();
+  return is_built ? MakeSolverStrategy(text).status() : Status();
+}
+
+bool IsDistributedStrategy(const std::string& strategy) {
+  const StatusOr<NameWithOptions> named = ParseNameWithOptions(strategy);
+  return named.ok() && named->name == kMultigridStrategy;
 }
 
 }  // namespace cirque

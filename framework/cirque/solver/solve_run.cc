@@ -55,8 +55,9 @@ SolveRun::SolveRun(std::string strategy, const SolverLimits& limits, const Solve
 bool SolveRun::Value(const double* x, double* value, Eigen::VectorXd* gradient) {
   const Timer timer;
   if (gradient) gradient->resize(energy_.NumParameters());
-  const bool defined = energy_.Evaluate(x, value, gradient ? gradient->data() : nullptr) &&
-                       std::isfinite(*value) && (!gradient || gradient->allFinite());
+  const bool defined =
+      space().All(energy_.Evaluate(x, value, gradient ? gradient->data() : nullptr) &&
+                  std::isfinite(*value) && (!gradient || gradient->allFinite()));
   if (gradient && defined && !kinks_.empty()) {
     kinks_.TakeLeastSubgradient(Eigen::Map<const Eigen::VectorXd>(x, gradient->size()), gradient);
   }
@@ -69,7 +70,8 @@ bool SolveRun::Value(const double* x, double* value, Eigen::VectorXd* gradient) 
 bool SolveRun::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
   const Timer timer;
   gradient->resize(x.size());
-  const bool defined = energy_.Gradient(x.data(), gradient->data()) && gradient->allFinite();
+  const bool defined =
+      space().All(energy_.Gradient(x.data(), gradient->data()) && gradient->allFinite());
   kinks_.TakeLeastSubgradient(x, gradient);
   ++summary_.gradient_evaluations;
   summary_.evaluation_seconds += timer.Seconds();
@@ -90,12 +92,12 @@ bool SolveRun::Hessian(const Eigen::VectorXd& x, SparseMatrix* lower) {
 void SolveRun::Relax(Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
   const Timer timer;
   for (int i = 0; i < kRelaxations && kinks_.empty(); ++i) {
-    const double before = gradient->lpNorm<Eigen::Infinity>();
+    const double before = space().LargestEntry(*gradient);
     if (before <= limits_.gradient_tolerance) break;
     relaxed_ = *x;
     relaxed_gradient_ = *gradient;
-    if (!energy_.Relax(kRelaxedShare, relaxed_.data(), relaxed_gradient_.data())) break;
-    if (!(relaxed_gradient_.lpNorm<Eigen::Infinity>() < before)) break;
+    if (!energy_.Relax(kRelaxedShare * before, relaxed_.data(), relaxed_gradient_.data())) break;
+    if (!(space().LargestEntry(relaxed_gradient_) < before)) break;
     x->swap(relaxed_);
     gradient->swap(relaxed_gradient_);
   }
@@ -120,11 +122,11 @@ Eigen::VectorXd SolveRun::Solve(const Eigen::VectorXd& right_side, SparseCholesk
 }
 
 bool SolveRun::Begin(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
-  if (!x.allFinite() || !Value(x.data(), &summary_.initial_value, gradient)) {
+  if (!space().All(x.allFinite()) || !Value(x.data(), &summary_.initial_value, gradient)) {
     End(Termination::kInvalidStart, "the start lies outside the energy's domain");
     return false;
   }
-  summary_.initial_gradient_max = gradient->lpNorm<Eigen::Infinity>();
+  summary_.initial_gradient_max = space().LargestEntry(*gradient);
   return true;
 }
 
@@ -137,7 +139,7 @@ bool SolveRun::RequireSmooth() {
 }
 
 bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {
-  const double gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  const double gradient_max = space().LargestEntry(gradient);
   if (gradient_max < kProgress * least_gradient_) {
     least_gradient_ = gradient_max;
     steps_since_least_ = 0;
@@ -153,19 +155,27 @@ bool SolveRun::StoppedAtRounding(const Eigen::VectorXd& gradient) {
 
 bool SolveRun::Continue(const Eigen::VectorXd& gradient) {
   if (summary_.termination != Termination::kNotRun) return false;
-  const double gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  const double gradient_max = space().LargestEntry(gradient);
   summary_.final_gradient_max = gradient_max;
   if (gradient_max <= limits_.gradient_tolerance) {
     End(Termination::kConverged,
         fmt::format("gradient {:.2e} <= {:.2e}", gradient_max, limits_.gradient_tolerance));
-  } else if (control_.cancelled && control_.cancelled->load()) {
+  } else if (space().FirstSays(control_.cancelled && control_.cancelled->load())) {
     End(Termination::kCancelled, "cancelled by the caller");
   } else if (summary_.num_iterations() >= limits_.max_iterations) {
     End(Termination::kIterationLimit, fmt::format("{} iterations", limits_.max_iterations));
-  } else if (timer_.Seconds() > limits_.max_seconds) {
+  } else if (space().FirstSays(timer_.Seconds() > limits_.max_seconds)) {
     End(Termination::kTimeLimit, fmt::format("{} s", limits_.max_seconds));
   }
   return summary_.termination == Termination::kNotRun;
+}
+
+bool SolveRun::CallerStops(const IterationRecord& record, const Eigen::VectorXd& x) const {
+  if (!space().FirstSays(static_cast<bool>(control_.callback))) return false;
+  Eigen::VectorXd room;
+  const Eigen::VectorXd& whole = space().Whole(x, &room);
+  return space().FirstSays(control_.callback &&
+                           control_.callback(record, whole) == CallbackAction::kStop);
 }
 
 bool SolveRun::Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, double step_length,
@@ -173,12 +183,12 @@ bool SolveRun::Accept(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
   IterationRecord record;
   record.value = value;
   record.iteration = summary_.num_iterations() + 1;
-  record.gradient_max = gradient.lpNorm<Eigen::Infinity>();
+  record.gradient_max = space().LargestEntry(gradient);
   record.step_length = step_length;
   record.seconds = timer_.Seconds();
   summary_.iterations.push_back(record);
   summary_.x_changed = true;
-  if (control_.callback && control_.callback(record, x) == CallbackAction::kStop) {
+  if (CallerStops(record, x)) {
     summary_.final_gradient_max = record.gradient_max;
     End(Termination::kStoppedByCaller, "the iteration callback asked to stop");
     return false;

@@ -8,6 +8,7 @@
 
 #include "cirque/core/solve_summary.h"
 #include "cirque/energy/energy.h"
+#include "cirque/energy/parameter_space.h"
 #include "cirque/linear/sparse_cholesky.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -90,9 +91,12 @@ class SolveRun {
   SolveSummary& summary() { return summary_; }
   double gradient_tolerance() const { return limits_.gradient_tolerance; }
   const Energy& energy() const { return energy_; }
+  const ParameterSpace& space() const { return energy_.space(); }
   const Kinks& kinks() const { return kinks_; }
 
  private:
+  bool CallerStops(const IterationRecord& record, const Eigen::VectorXd& x) const;
+
   const SolverLimits limits_;
   const SolveControl& control_;
   const Energy& energy_;

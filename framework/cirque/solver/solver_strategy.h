@@ -53,9 +53,17 @@ const Registry<SolverStrategyFactory>& SolverStrategies();
 /// Those names and the one that a build without PETSc lacks, last: what a config may say anywhere.
 std::vector<std::string> KnownStrategyNames();
 
-/// The strategy of that name with those options; errors name the option, its value and its bound.
-StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& name,
+/// The strategy by its text, NAME or NAME:KEY=VALUE,..., of which `options` are those that it does
+/// not give; errors name the option, its value and its bound.
+StatusOr<std::shared_ptr<const SolverStrategy>> MakeSolverStrategy(const std::string& text,
                                                                    const OptionMap& options = {});
+
+/// Whether a config may say that: a name of KnownStrategyNames() with options that it takes, as far as
+/// this build knows it.
+Status CheckSolverStrategy(const std::string& text);
+
+/// Whether by that text, NAME or NAME:KEY=VALUE,..., processes share the work.
+bool IsDistributedStrategy(const std::string& strategy);
 
 /// The three options of SolverLimits, for the table of a struct that derives from it.
 template <class T>
