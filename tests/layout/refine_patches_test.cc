@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -130,10 +131,8 @@ TEST(RefineByPatches, RefinesTheWholeMapWhereTheMeanAsksForIt) {
   EXPECT_GE(done.steps, 1);
   EXPECT_LT(done.after, 1e-3);
   uv = stretched;
-  EXPECT_EQ(Refine(Metric(strip).surface, &uv, {.mean = 0.6, .once = 3.1}).steps, 0);
+  EXPECT_EQ(Refine(Metric(strip).surface, &uv, {.mean = 0.6, .once = 0.6}).steps, 0);
   EXPECT_EQ(uv.value, stretched.value);
-  // A sixth of that counts on few triangles.
-  EXPECT_GE(Refine(Metric(strip).surface, &uv, {.mean = 0.6, .once = 2.9}).steps, 1);
 }
 
 TEST(RefineByPatches, AGoodMapGetsOneStepAsAWhole) {
@@ -225,6 +224,32 @@ TEST(RefineByPatches, SeamsStayCongruent) {
       const double turn = before.seams[i].rotation - after.seams[i].rotation;
       EXPECT_NEAR(std::remainder(turn, 2 * kPi), 0, 1e-9);
     }
+  }
+}
+
+TEST(RefineByPatches, WithSeamsTheOneStepIsFromSixTimesTheMeanEnergyOn) {
+  for (const auto& [faces, times] : {std::pair{1200, 6.0}, {600, 1.0}}) {
+    const Surface surface = GeneratedSurface("blob", faces);
+    ParameterizeOptions options;
+    options.refine_map = "none";
+    Parameterization map;
+    ASSERT_TRUE(Parameterize(surface, {options}, {}, &map).ok());
+    const std::vector<Index> cones =
+        ConeVertices(BoundaryVertices(surface.triangulation), map.targets);
+    const SeamReport report =
+        MeasureSeams(surface.triangulation, map.cut, cones, map.flat.on_input.angles, map.uv);
+    ASSERT_FALSE(report.seams.empty());
+    const auto refine = [&](double once) {
+      CornerUv uv = map.uv;
+      return *RefineByPatches({Metric(surface).surface, map.cut, report.seams},
+                              {.rounds = 0, .mean = 1e9, .once = once}, nullptr, &uv);
+    };
+    const double mean = refine(1e9).before;
+    EXPECT_GT(mean, 0);
+    EXPECT_EQ(refine(1.01 * mean / times).steps, 0) << faces;
+    const PatchRefinement once = refine(0.99 * mean / times);
+    EXPECT_EQ(once.steps, 1) << faces;
+    EXPECT_LT(once.after, mean);
   }
 }
 

@@ -20,8 +20,9 @@ constexpr double kScatteredMean = 0.03;  ///< of what is outside the outliers, i
 /// a circle bends away from the tangents.
 constexpr int kStepsOfSliding = 3;
 constexpr Index kSmallMap = 1000;  ///< faces up to which steps on the whole map cost nothing
-constexpr double kOnceIfSmall =
-    1.0 / 6;                         ///< of the mean energy from which there is a step at least
+/// Of the mean energy from which one step is made. Seams make a step dearer: rounds of multipliers, and
+/// a factor with more fill.
+constexpr double kOnceWithSeams = 6;
 constexpr Index kLargeMap = 200000;  ///< faces from which steps on the whole map must bring more
 
 /// A set of vertices in independent patches: no face has moving vertices of two.
@@ -201,7 +202,8 @@ void PatchRefiner::RefineWhole() {
   const bool large = t_.num_faces() > kLargeMap;
   const bool bad = mean_ > (large ? 2 : 1) * options_.mean;
   const bool small = t_.num_faces() <= kSmallMap;
-  const bool once = !large && mean_ > (small ? kOnceIfSmall : 1) * options_.once;
+  const bool dear = !small && !map_.seams().empty();
+  const bool once = !large && mean_ > (dear ? kOnceWithSeams : 1) * options_.once;
   if (cancelled() || !(bad || once)) return;
   const int fewest = map_.HasRails() ? kStepsOfSliding : 1;
   const int steps = bad ? (small ? 10 : 1) * options_.steps : std::min(fewest, options_.steps);

@@ -22,8 +22,9 @@ struct RefinePatchesOptions {
   int patch_steps = 30;          ///< in a patch and a round, the most
   double patch_decrease = 0.01;  ///< share of its energy that a step in a patch must bring
   double mean = 0.01;  ///< E above which the whole map is refined too; twice that if large
-  double once =
-      3e-3;  ///< E above which that is at least one step, unless the map is large; a sixth of it if small
+  /// E above which that is at least one step, unless the map is large; with seams, unless it is small,
+  /// six times that.
+  double once = 5e-4;
   int steps = 30;  ///< on the whole map, the most; ten times that if small
   double decrease =
       0.01;  ///< share of E that such a step must bring; five times that if large, a hundredth if small
