@@ -238,6 +238,17 @@ TEST(AngleSolvers, OptionsInTheTextPrecedeOthers) {
   }
 }
 
+/// However it is said; components are then mapped one after the other.
+TEST(AngleSolvers, TellWhetherProcessesShareTheWork) {
+  for (const char* shared :
+       {"newton_amg", "newton_amg:max_cg_iterations=5", "dual:strategy=newton_amg"}) {
+    EXPECT_TRUE(IsDistributedAngleSolver(shared)) << shared;
+    EXPECT_TRUE(CheckAngleSolver(shared).ok()) << shared;
+  }
+  for (const char* alone : {"auto", "dual", "dual:strategy=newton", "interior_point", "newton_am"})
+    EXPECT_FALSE(IsDistributedAngleSolver(alone)) << alone;
+}
+
 TEST(AngleSolvers, OptionsAreRefusedByNameValueAndBound) {
   const auto message = [](const std::string& method, const OptionMap& options) {
     return MakeAngleSolver(method, options).status().message();

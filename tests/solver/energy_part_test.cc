@@ -152,6 +152,7 @@ TEST_P(EnergyPartTest, RelaxingLowersTheValueAndKnowsItsGradient) {
   const double threshold = 0.1 * gradient.lpNorm<Eigen::Infinity>();
   Eigen::VectorXd by_whole = x, gradient_by_whole = gradient;
   const bool relaxes = whole_->Relax(threshold, by_whole.data(), gradient_by_whole.data());
+  EXPECT_EQ(relaxes, work() == kDualAngleWork);
   OnRanks([&](NewtonPart* part, Ranks&) {
     Eigen::VectorXd own = part->Scatter(x.data()), slopes = part->Scatter(gradient.data());
     ASSERT_EQ(part->Relax(threshold, &own, &slopes), relaxes);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cirque/core/option.h"
 #include "cirque/solver/solver_strategy.h"
 
 #include "experiments/common/process.h"

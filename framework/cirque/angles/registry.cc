@@ -9,10 +9,13 @@
 #include "cirque/core/option.h"
 #include "cirque/core/text.h"
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/linear/multigrid.h"
 #include "cirque/solver/solver_strategy.h"
 
 namespace cirque {
 namespace {
+
+constexpr char kDual[] = "dual", kStrategy[] = "strategy";
 
 /// Minimises the dual with any strategy. The callback gets the multipliers.
 class DualAngleSolver final : public AngleSolver {
@@ -50,7 +53,7 @@ using Made = StatusOr<std::shared_ptr<const AngleSolver>>;
 
 Made MakeDual(const OptionMap& options) {
   OptionMap rest = options;
-  const auto named = rest.extract("strategy");
+  const auto named = rest.extract(kStrategy);
   const auto strategy =
       MakeSolverStrategy(named ? named.mapped() : SolverStrategies().Names().front(), rest);
   if (!strategy.ok()) return strategy.status();
@@ -73,7 +76,7 @@ const Registry<AngleSolverFactory>& AngleSolvers() {
   static const Registry<AngleSolverFactory> kTable(
       "angle solver",
       {
-          {"dual", MakeDual},
+          {kDual, MakeDual},
           {"interior_point", SolverFactory<InteriorPointAngleSolver>(InteriorPointOptionTable())},
           {"ceres_augmented_lagrangian",
            SolverFactory<AugmentedLagrangianAngleSolver>(AugmentedLagrangianOptionTable())},
@@ -87,26 +90,39 @@ std::vector<std::string> AngleSolverNames() {
   return names;
 }
 
-Made MakeAngleSolver(const std::string& text, const OptionMap& options) {
+namespace {
+
+/// An entry of AngleSolvers() by its text; a solver strategy is the dual's.
+StatusOr<NameWithOptions> ParseAngleSolver(const std::string& text) {
   StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
+  if (!named.ok() || AngleSolvers().Find(named->name).ok()) return named;
+  const std::vector<std::string> names = AngleSolverNames();
+  if (std::find(names.begin(), names.end(), named->name) == names.end()) {
+    return Status::InvalidInput(UnknownName("angle solver", named->name, names));
+  }
+  named->options[kStrategy] = std::exchange(named->name, kDual);
+  return named;
+}
+
+}  // namespace
+
+Made MakeAngleSolver(const std::string& text, const OptionMap& options) {
+  StatusOr<NameWithOptions> named = ParseAngleSolver(text);
   if (!named.ok()) return named.status();
   named->options.insert(options.begin(), options.end());
-  const std::string& name = named->name;
-  if (const auto solver = AngleSolvers().Find(name); solver.ok()) {
-    return (*solver)(named->options);
-  }
-  const std::vector<std::string> names = AngleSolverNames();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    return Status::InvalidInput(UnknownName("angle solver", name, names));
-  }
-  named->options["strategy"] = name;
-  return MakeDual(named->options);
+  return (*AngleSolvers().Find(named->name))(named->options);
 }
 
 Status CheckAngleSolver(const std::string& text) {
-  const StatusOr<NameWithOptions> named = ParseNameWithOptions(text);
-  const bool is_strategy = named.ok() && CheckSolverStrategy(named->name).ok();
-  return is_strategy ? CheckSolverStrategy(text) : MakeAngleSolver(text).status();
+  const bool is_lacking = !BuiltWithMultigrid() && IsDistributedAngleSolver(text);
+  return is_lacking ? Status() : MakeAngleSolver(text).status();
+}
+
+bool IsDistributedAngleSolver(const std::string& text) {
+  const StatusOr<NameWithOptions> named = ParseAngleSolver(text);
+  if (!named.ok() || named->name != kDual) return false;
+  const auto strategy = named->options.find(kStrategy);
+  return strategy != named->options.end() && IsDistributedStrategy(strategy->second);
 }
 
 }  // namespace cirque

@@ -33,4 +33,7 @@ StatusOr<std::shared_ptr<const AngleSolver>> MakeAngleSolver(const std::string& 
 /// Whether a config may say that (CheckSolverStrategy).
 Status CheckAngleSolver(const std::string& text);
 
+/// Whether by that text processes share the work (IsDistributedStrategy).
+bool IsDistributedAngleSolver(const std::string& text);
+
 }  // namespace cirque

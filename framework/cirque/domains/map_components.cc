@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cirque/angles/registry.h"
 #include "cirque/core/parallel.h"
 #include "cirque/solver/solver_strategy.h"
 
@@ -49,7 +50,8 @@ bool IsCancelled(const SolveControl& control) {
 /// Whether a solver spreads over processes, which do one thing at a time.
 bool IsDistributed(const ComponentJob& job) {
   const ParameterizeOptions& options = job.request.options;
-  return IsDistributedStrategy(options.radii_solver) || IsDistributedStrategy(options.angle_solver);
+  return IsDistributedStrategy(options.radii_solver) ||
+         IsDistributedAngleSolver(options.angle_solver);
 }
 
 MappedComponent MapOne(const ComponentJob& job, const SolveControl& control) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -49,6 +50,12 @@ class Ranks {
     double sum = 0;
     for (const double x : AllOf(mine)) sum += x;
     return sum;
+  }
+
+  /// On any rank.
+  double Largest(double mine) {
+    const std::vector<double> all = AllOf(mine);
+    return *std::max_element(all.begin(), all.end());
   }
 
   /// Whether it is so on every rank.

@@ -1,7 +1,5 @@
 #include "cirque/radii/pattern_part.h"
 
-#include <algorithm>
-
 #include "cirque/energy/circle_pattern_energy.h"
 #include "cirque/radii/pattern_volume.h"
 
@@ -25,12 +23,9 @@ class PatternPart::Domain final : public VolumeDomain {
     return solved;
   }
   double Sum(double mine) override { return part_.ranks().Sum(mine); }
-  double Least(double mine) override {
-    const auto all = part_.ranks().AllOf(mine);
-    return *std::min_element(all.begin(), all.end());
-  }
+  double Least(double mine) override { return -part_.ranks().Largest(-mine); }
   double LargestEntry(const Eigen::VectorXd& gradient) override {
-    return -Least(-part_.OwnOf(gradient).lpNorm<Eigen::Infinity>());
+    return part_.ranks().Largest(part_.OwnOf(gradient).lpNorm<Eigen::Infinity>());
   }
   bool Counts(Index face) const override { return part_.is_own()[face]; }
 

@@ -168,10 +168,8 @@ bool EnergyPart::Gradient(const Eigen::VectorXd& x, Eigen::VectorXd* gradient) {
 }
 
 bool EnergyPart::Relax(double threshold, Eigen::VectorXd* x, Eigen::VectorXd* gradient) {
-  Eigen::VectorXd of_part = WithOthers(*x), slopes = WithOthers(*gradient);
-  for (Eigen::Index p = 0; p < slopes.size(); ++p) {
-    if (!is_own_[p]) slopes[p] = 0;
-  }
+  Eigen::VectorXd of_part = WithOthers(*x), slopes = Eigen::VectorXd::Zero(of_part.size());
+  for (int k = 0; k < num_own(); ++k) slopes[parameter_[k]] = (*gradient)[k];
   const bool here = energy_->Relax(threshold, of_part.data(), slopes.data());
   if (ranks_.All(!here)) return false;
   *x = OwnOf(of_part);
@@ -179,21 +177,18 @@ bool EnergyPart::Relax(double threshold, Eigen::VectorXd* x, Eigen::VectorXd* gr
 }
 
 bool EnergyPart::Linearize(const Eigen::VectorXd& x, double* mean_diagonal) {
-  solver_->ForgetRows();
-  SparseMatrix lower;
-  const bool defined = energy_->Hessian(WithOthers(x).data(), &lower);
-  return SetIfDefined(defined, lower, mean_diagonal);
+  return SetMatrixTo(&Energy::Hessian, x, mean_diagonal);
 }
 
 bool EnergyPart::LinearizeSmooth(const Eigen::VectorXd& x, double* mean_diagonal) {
-  solver_->ForgetRows();
-  SparseMatrix lower;
-  const bool defined = energy_->SmoothHessian(WithOthers(x).data(), &lower);
-  return SetIfDefined(defined, lower, mean_diagonal);
+  return SetMatrixTo(&Energy::SmoothHessian, x, mean_diagonal);
 }
 
-/// Nothing is set, and false, where it is not defined on all ranks.
-bool EnergyPart::SetIfDefined(bool defined, const SparseMatrix& lower, double* mean_diagonal) {
+/// None is set, and false, where it is not defined on all ranks.
+bool EnergyPart::SetMatrixTo(MatrixForm form, const Eigen::VectorXd& x, double* mean_diagonal) {
+  solver_->ForgetRows();
+  SparseMatrix lower;
+  const bool defined = ((*energy_).*form)(WithOthers(x).data(), &lower);
   if (!ranks_.All(defined)) return false;
   SetMatrix(lower);
   *mean_diagonal = solver_->MeanDiagonal();

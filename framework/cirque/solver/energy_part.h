@@ -107,7 +107,8 @@ class EnergyPart : public RankWork {
   void ListUnknowns();
   void MakeSolver();
 
-  bool SetIfDefined(bool defined, const SparseMatrix& lower, double* mean_diagonal);
+  using MatrixForm = bool (Energy::*)(const double* x, SparseMatrix* lower) const;
+  bool SetMatrixTo(MatrixForm form, const Eigen::VectorXd& x, double* mean_diagonal);
 
   Ranks& ranks_;
   const EnergyPartMaker make_;

@@ -119,7 +119,8 @@ struct Bracket {
 
 void SearchToRest(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                   const Eigen::VectorXd& direction, SolveRun* run, LineSearchResult* result) {
-  const double enough = -kAtRest * gradient.dot(direction);
+  const ParameterSpace& space = run->space();
+  const double enough = -kAtRest * space.Dot(gradient, direction);
   double least = std::numeric_limits<double>::infinity(), t = 1;
   Bracket bracket;
   LineSearchResult trial;
@@ -128,7 +129,7 @@ void SearchToRest(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
     trial.step_length = t;
     trial.x = x + t * direction;
     trial.found = run->Gradient(trial.x, &trial.gradient);
-    const double slope = trial.found ? trial.gradient.dot(direction) : 0;
+    const double slope = trial.found ? space.Dot(trial.gradient, direction) : 0;
     if (trial.found && slope <= 0) {
       bracket.low = t;
     } else {

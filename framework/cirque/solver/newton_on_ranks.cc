@@ -1,6 +1,5 @@
 #include "cirque/solver/newton_on_ranks.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,8 +16,7 @@ class SharedSpace final : public ParameterSpace {
     return ranks_.Sum(a.dot(b));
   }
   double LargestEntry(const Eigen::VectorXd& a) const override {
-    const auto all = ranks_.AllOf(a.lpNorm<Eigen::Infinity>());
-    return *std::max_element(all.begin(), all.end());
+    return ranks_.Largest(a.lpNorm<Eigen::Infinity>());
   }
   bool All(bool mine) const override { return ranks_.All(mine); }
   bool FirstSays(bool mine) const override {
