@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "cirque/core/parallel.h"
+
 namespace cirque {
 namespace {
 
@@ -36,24 +38,50 @@ TEST(HermitianCholesky, SolvesOnePatternWithSeveralValues) {
   }
 }
 
-TEST(HermitianCholesky, SolvesLargeSystemsByDenseBlocks) {
-  // Of a path: 2 and a shift on the diagonal, i beside it.
-  constexpr int kUnknowns = 6000;
-  for (const double shift : {0.1, -3.0}) {
-    std::vector<Eigen::Triplet<std::complex<double>>> entries;
-    for (int i = 0; i < kUnknowns; ++i) {
-      entries.emplace_back(i, i, 2 + shift);
-      if (i > 0) entries.emplace_back(i, i - 1, std::complex<double>(0, 1));
-    }
-    ComplexSparseMatrix lower(kUnknowns, kUnknowns);
-    lower.setFromTriplets(entries.begin(), entries.end());
-    HermitianCholesky cholesky;
-    ASSERT_EQ(cholesky.Factorize(lower), shift > 0);
-    if (shift < 0) continue;
-    const Eigen::VectorXcd x = Eigen::VectorXcd::Random(kUnknowns);
-    const Eigen::VectorXcd b = lower.selfadjointView<Eigen::Lower>() * x;
-    EXPECT_LT((cholesky.Solve(b) - x).norm(), 1e-12 * x.norm());
+/// Of a square grid with diagonals: each edge's entry is another unit, the diagonal's 6 and a shift.
+ComplexSparseMatrix TurnedGrid(int side, double shift) {
+  std::vector<Eigen::Triplet<std::complex<double>>> entries;
+  for (int i = 0; i < side * side; ++i) {
+    entries.emplace_back(i, i, 6 + shift);
+    const bool right = i % side + 1 < side, up = i + side < side * side;
+    const auto add = [&](int step) { entries.emplace_back(i + step, i, std::polar(1.0, 1.7 * i)); };
+    if (right) add(1);
+    if (up) add(side);
+    if (right && up) add(side + 1);
   }
+  ComplexSparseMatrix lower(side * side, side * side);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+// By columns and by dense blocks, these in subtrees and at the top.
+TEST(HermitianCholesky, SolvesSystemsOfEverySize) {
+  for (const int side : {5, 31, 32, 80, 150}) {
+    HermitianCholesky cholesky;
+    for (const double shift : {0.1, 3.0}) {
+      const ComplexSparseMatrix lower = TurnedGrid(side, shift);
+      const Eigen::VectorXcd x = Eigen::VectorXcd::Random(lower.cols());
+      const Eigen::VectorXcd b = lower.selfadjointView<Eigen::Lower>() * x;
+      ASSERT_TRUE(cholesky.Factorize(lower));
+      EXPECT_LT((cholesky.Solve(b) - x).norm(), 1e-12 * x.norm()) << side;
+    }
+    EXPECT_FALSE(cholesky.Factorize(TurnedGrid(side, -6.5)));
+    EXPECT_TRUE(cholesky.Factorize(TurnedGrid(side, 1)));
+  }
+}
+
+TEST(HermitianCholesky, DoesNotDependOnTheNumberOfThreads) {
+  const ComplexSparseMatrix lower = TurnedGrid(150, 0.1);
+  const Eigen::VectorXcd b = Eigen::VectorXcd::Random(lower.cols());
+  const auto solve = [&] {
+    HermitianCholesky cholesky;
+    EXPECT_TRUE(cholesky.Factorize(lower));
+    return cholesky.Solve(b);
+  };
+  const Eigen::VectorXcd x = solve();
+  EXPECT_GT(x.norm(), 1);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(solve(), x);
 }
 
 TEST(HermitianCholesky, RefusesAnIndefiniteMatrix) {

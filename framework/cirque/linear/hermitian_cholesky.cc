@@ -1,79 +1,64 @@
 #include "cirque/linear/hermitian_cholesky.h"
 
-#include <variant>
-
 #include <Eigen/SparseCholesky>
-#ifdef CIRQUE_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
+
+#include "cirque/linear/cholmod/supernodal_hermitian.h"
 
 namespace cirque {
-namespace {
 
-using Simplicial = Eigen::SimplicialLLT<ComplexSparseMatrix, Eigen::Lower>;
+class HermitianCholesky::Factor {
+ public:
+  virtual ~Factor() = default;
+  virtual bool Factorize(const ComplexSparseMatrix& lower) = 0;
+  virtual Eigen::VectorXcd Solve(const Eigen::VectorXcd& b) = 0;
+};
+
+class HermitianCholesky::ByColumns final : public Factor {
+ public:
+  explicit ByColumns(const ComplexSparseMatrix& lower) { solver_.analyzePattern(lower); }
+
+  bool Factorize(const ComplexSparseMatrix& lower) override {
+    solver_.factorize(lower);
+    return solver_.info() == Eigen::Success;
+  }
+
+  Eigen::VectorXcd Solve(const Eigen::VectorXcd& b) override { return solver_.solve(b); }
+
+ private:
+  Eigen::SimplicialLLT<ComplexSparseMatrix, Eigen::Lower> solver_;
+};
 
 #ifdef CIRQUE_CHOLMOD
-constexpr Eigen::Index kSupernodal = 2500;  ///< unknowns from which dense blocks pay
+namespace {
 
-class Supernodal final : public Eigen::CholmodSupernodalLLT<ComplexSparseMatrix, Eigen::Lower> {
- public:
-  Supernodal() {
-    cholmod().print = 0;
-    cholmod().nmethods = 1;
-    cholmod().method[0].ordering = CHOLMOD_AMD;
-    cholmod().quick_return_if_not_posdef = 1;
-  }
-};
-#endif
+constexpr Eigen::Index kSupernodal = 1000;  ///< unknowns from which dense blocks pay
 
 }  // namespace
 
-class HermitianCholesky::Factor {
-  // A deduced type must be known before it is used.
-  template <class Call>
-  auto Visit(const Call& call) {
-#ifdef CIRQUE_CHOLMOD
-    if (auto* supernodal = std::get_if<Supernodal>(&solver_)) return call(supernodal);
-#endif
-    return call(std::get_if<Simplicial>(&solver_));
-  }
-
+class HermitianCholesky::ByBlocks final : public Factor {
  public:
-  bool Factorize(const ComplexSparseMatrix& lower) {
-    if (std::holds_alternative<std::monostate>(solver_)) Analyze(lower);
-    return Visit([&](auto* solver) {
-      solver->factorize(lower);
-      return solver->info() == Eigen::Success;
-    });
-  }
-
-  Eigen::VectorXcd Solve(const Eigen::VectorXcd& b) {
-    return Visit([&](auto* solver) -> Eigen::VectorXcd { return solver->solve(b); });
-  }
+  bool Factorize(const ComplexSparseMatrix& lower) override { return solver_.Factorize(lower); }
+  Eigen::VectorXcd Solve(const Eigen::VectorXcd& b) override { return solver_.Solve(b); }
 
  private:
-  void Analyze(const ComplexSparseMatrix& lower) {
-#ifdef CIRQUE_CHOLMOD
-    if (lower.rows() >= kSupernodal) {
-      solver_.emplace<Supernodal>().analyzePattern(lower);
-      return;
-    }
-#endif
-    solver_.emplace<Simplicial>().analyzePattern(lower);
-  }
-
-#ifdef CIRQUE_CHOLMOD
-  std::variant<std::monostate, Simplicial, Supernodal> solver_;
-#else
-  std::variant<std::monostate, Simplicial> solver_;
-#endif
+  SupernodalHermitian solver_;
 };
+#endif
 
-HermitianCholesky::HermitianCholesky() : factor_(std::make_unique<Factor>()) {}
+HermitianCholesky::HermitianCholesky() = default;
 HermitianCholesky::~HermitianCholesky() = default;
 
 bool HermitianCholesky::Factorize(const ComplexSparseMatrix& lower) {
+  if (!factor_) factor_ = Make(lower);
   return factor_->Factorize(lower);
+}
+
+std::unique_ptr<HermitianCholesky::Factor> HermitianCholesky::Make(
+    const ComplexSparseMatrix& lower) {
+#ifdef CIRQUE_CHOLMOD
+  if (lower.rows() >= kSupernodal) return std::make_unique<ByBlocks>();
+#endif
+  return std::make_unique<ByColumns>(lower);
 }
 
 Eigen::VectorXcd HermitianCholesky::Solve(const Eigen::VectorXcd& right_side) const {

@@ -26,6 +26,10 @@ class HermitianCholesky {
 
  private:
   class Factor;
+  class ByColumns;
+  class ByBlocks;
+  static std::unique_ptr<Factor> Make(const ComplexSparseMatrix& lower);
+
   std::unique_ptr<Factor> factor_;
 };
 

@@ -4,20 +4,15 @@
 
 #include <utility>
 
+#include "cirque/linear/cholmod/matrix_view.h"
+
 namespace cirque {
 
 AnalysedFactor::AnalysedFactor(SparseMatrix lower) : lower_(std::move(lower)) {
   cholmod_start(&common_);
   common_.supernodal = CHOLMOD_SUPERNODAL;
   common_.final_ll = 1;
-  view_.nrow = view_.ncol = static_cast<std::size_t>(lower_.cols());
-  view_.nzmax = static_cast<std::size_t>(lower_.nonZeros());
-  view_.p = lower_.outerIndexPtr();
-  view_.i = lower_.innerIndexPtr();
-  view_.x = lower_.valuePtr();
-  view_.stype = -1;
-  view_.xtype = CHOLMOD_REAL;
-  view_.sorted = view_.packed = 1;
+  view_ = ViewOf(lower_);
   factor_ = cholmod_analyze(&view_, &common_);
 }
 

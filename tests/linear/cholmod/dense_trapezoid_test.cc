@@ -2,94 +2,121 @@
 
 #include "cirque/linear/cholmod/dense_trapezoid.h"
 
+#include <algorithm>
+#include <complex>
+#include <utility>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 namespace cirque {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-using Factor = bool (*)(const DenseTrapezoid&);
-
 /// Rows and columns of trapezoids on both sides of every change of method.
-class DenseTrapezoidTest : public ::testing::TestWithParam<std::pair<int, int>> {
+constexpr std::pair<int, int> kSizes[] = {{2, 1},     {9, 8},     {20, 8},    {20, 9},   {9, 9},
+                                          {130, 128}, {129, 129}, {300, 140}, {600, 300}};
+
+template <class Scalar>
+using MatrixOf = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using VectorOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// Real and complex ones.
+template <class Scalar>
+class DenseTrapezoidTest : public ::testing::Test {
  protected:
-  DenseTrapezoidTest() {
-    const MatrixXd a = MatrixXd::Random(rows_, rows_);
-    matrix_ = a * a.transpose() + MatrixXd::Identity(rows_, rows_);
+  using Matrix = MatrixOf<Scalar>;
+  using Factor = bool (*)(const DenseTrapezoid<Scalar>&);
+
+  /// Hermitian and positive definite.
+  static Matrix Definite(int rows) {
+    const Matrix a = Matrix::Random(rows, rows);
+    return a * a.adjoint() + Matrix::Identity(rows, rows);
   }
 
   /// The factor's columns by Eigen.
-  MatrixXd Wanted() const { return MatrixXd(matrix_.llt().matrixL()).leftCols(columns_); }
+  static Matrix Wanted(const Matrix& matrix, int columns) {
+    return Matrix(matrix.llt().matrixL()).leftCols(columns);
+  }
 
-  const int rows_ = GetParam().first, columns_ = GetParam().second;
-  MatrixXd matrix_;
+  const Factor factors_[2] = {FactorTrapezoid<Scalar>, FactorTrapezoidInParallel<Scalar>};
 };
 
-TEST_P(DenseTrapezoidTest, HasTheNumbersOfTheFactor) {
-  for (const Factor factor : {Factor(FactorTrapezoid), Factor(FactorTrapezoidInParallel)}) {
-    MatrixXd numbers = matrix_.leftCols(columns_);
-    ASSERT_TRUE(factor({numbers.data(), rows_, columns_}));
-    const MatrixXd lower = numbers.triangularView<Eigen::Lower>();
-    EXPECT_LT((lower - Wanted()).norm(), 1e-11 * Wanted().norm());
+using Scalars = ::testing::Types<double, std::complex<double>>;
+TYPED_TEST_SUITE(DenseTrapezoidTest, Scalars);
+
+TYPED_TEST(DenseTrapezoidTest, HasTheNumbersOfTheFactor) {
+  for (const auto& [rows, columns] : kSizes) {
+    const MatrixOf<TypeParam> matrix = this->Definite(rows), wanted = this->Wanted(matrix, columns);
+    for (const auto factor : this->factors_) {
+      MatrixOf<TypeParam> numbers = matrix.leftCols(columns);
+      ASSERT_TRUE(factor({numbers.data(), rows, columns}));
+      const MatrixOf<TypeParam> lower = numbers.template triangularView<Eigen::Lower>();
+      EXPECT_LT((lower - wanted).norm(), 1e-11 * wanted.norm()) << rows << " x " << columns;
+    }
   }
 }
 
-TEST_P(DenseTrapezoidTest, RefusesAPivotThatIsNotPositive) {
-  matrix_(columns_ - 1, columns_ - 1) = -1;
-  for (const Factor factor : {Factor(FactorTrapezoid), Factor(FactorTrapezoidInParallel)}) {
-    MatrixXd numbers = matrix_.leftCols(columns_);
-    EXPECT_FALSE(factor({numbers.data(), rows_, columns_}));
+TYPED_TEST(DenseTrapezoidTest, RefusesAPivotThatIsNotPositive) {
+  for (const auto& [rows, columns] : kSizes) {
+    MatrixOf<TypeParam> matrix = this->Definite(rows);
+    matrix(columns - 1, columns - 1) = -1;
+    for (const auto factor : this->factors_) {
+      MatrixOf<TypeParam> numbers = matrix.leftCols(columns);
+      EXPECT_FALSE(factor({numbers.data(), rows, columns}));
+    }
   }
 }
 
-// L L' of the rows, the identity below the columns, is undone in both directions.
-TEST_P(DenseTrapezoidTest, SolvesForwardsAndBackwards) {
-  MatrixXd numbers = Wanted();
-  const DenseTrapezoid factored = {numbers.data(), rows_, columns_};
-  MatrixXd l = MatrixXd::Identity(rows_, rows_);
-  l.leftCols(columns_) = numbers;
-  const VectorXd wanted = VectorXd::LinSpaced(rows_, -1, 2);
-  VectorXd w = l * wanted;
-  SolveWithTrapezoid(factored, w.data());
-  EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
-  w = l.transpose() * wanted;
-  w.tail(rows_ - columns_) = wanted.tail(rows_ - columns_);
-  SolveWithTrapezoidTransposed(factored, w.data());
-  EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
-}
-
-TEST_P(DenseTrapezoidTest, SolvesForManyRightSidesAsForEach) {
-  const MatrixXd numbers = Wanted(), sides = MatrixXd::Random(kSolvedTogether, rows_);
-  const DenseTrapezoid factored = {const_cast<double*>(numbers.data()), rows_, columns_};
-  MatrixXd forwards = sides, backwards = sides;  // by columns, so that rows of w lie side by side
-  SolveTogetherWithTrapezoid(factored, forwards.data());
-  SolveTogetherWithTrapezoidTransposed(factored, backwards.data());
-  for (int c = 0; c < kSolvedTogether; ++c) {
-    VectorXd w = sides.row(c), transposed = w;
+// L L* of the rows, the identity below the columns, is undone in both directions.
+TYPED_TEST(DenseTrapezoidTest, SolvesForwardsAndBackwards) {
+  for (const auto& [rows, columns] : kSizes) {
+    MatrixOf<TypeParam> numbers = this->Wanted(this->Definite(rows), columns);
+    const DenseTrapezoid<TypeParam> factored = {numbers.data(), rows, columns};
+    MatrixOf<TypeParam> l = MatrixOf<TypeParam>::Identity(rows, rows);
+    l.leftCols(columns) = numbers;
+    const VectorOf<TypeParam> wanted = VectorOf<TypeParam>::Random(rows);
+    VectorOf<TypeParam> w = l * wanted;
     SolveWithTrapezoid(factored, w.data());
-    SolveWithTrapezoidTransposed(factored, transposed.data());
-    EXPECT_LT((forwards.row(c).transpose() - w).norm(), 1e-12 * w.norm());
-    EXPECT_LT((backwards.row(c).transpose() - transposed).norm(), 1e-12 * transposed.norm());
+    EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
+    w = l.adjoint() * wanted;
+    w.tail(rows - columns) = wanted.tail(rows - columns);
+    SolveWithTrapezoidTransposed(factored, w.data());
+    EXPECT_LT((w - wanted).norm(), 1e-10 * wanted.norm());
   }
 }
 
-TEST_P(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {
-  const int rows = rows_ - 1, columns = std::min(columns_, rows);
-  MatrixXd product = MatrixXd::Constant(rows, columns, 7);
-  Multiply({matrix_.data() + 1, matrix_.data(), rows_, rows, columns, columns_}, product.data());
-  const MatrixXd wanted =
-      matrix_.block(1, 0, rows, columns_) * matrix_.block(0, 0, columns, columns_).transpose();
-  EXPECT_LT((product - wanted).norm(), 1e-13 * wanted.norm());
+TYPED_TEST(DenseTrapezoidTest, IsMultipliedByItsRowsTransposed) {
+  for (const auto& [all, inner] : kSizes) {
+    const MatrixOf<TypeParam> matrix = MatrixOf<TypeParam>::Random(all, inner);
+    const int rows = all - 1, columns = std::min(inner, rows);
+    MatrixOf<TypeParam> product = MatrixOf<TypeParam>::Constant(rows, columns, 7);
+    Multiply<TypeParam>({matrix.data() + 1, matrix.data(), all, rows, columns, inner},
+                        product.data());
+    const MatrixOf<TypeParam> wanted = matrix.bottomRows(rows) * matrix.topRows(columns).adjoint();
+    EXPECT_LT((product - wanted).norm(), 1e-13 * wanted.norm());
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, DenseTrapezoidTest,
-                         ::testing::Values(std::pair(2, 1), std::pair(9, 8), std::pair(20, 8),
-                                           std::pair(20, 9), std::pair(9, 9), std::pair(130, 128),
-                                           std::pair(129, 129), std::pair(300, 140),
-                                           std::pair(600, 300)));
+TEST(DenseTrapezoid, SolvesForManyRightSidesAsForEach) {
+  using Eigen::MatrixXd;
+  for (const auto& [rows, columns] : kSizes) {
+    MatrixXd numbers = MatrixXd::Random(rows, columns);
+    numbers.diagonal().array() += columns;
+    const MatrixXd sides = MatrixXd::Random(kSolvedTogether, rows);
+    const DenseTrapezoid<double> factored = {numbers.data(), rows, columns};
+    MatrixXd forwards = sides, backwards = sides;  // by columns: rows of w lie side by side
+    SolveTogetherWithTrapezoid(factored, forwards.data());
+    SolveTogetherWithTrapezoidTransposed(factored, backwards.data());
+    for (int c = 0; c < kSolvedTogether; ++c) {
+      Eigen::VectorXd w = sides.row(c), transposed = w;
+      SolveWithTrapezoid(factored, w.data());
+      SolveWithTrapezoidTransposed(factored, transposed.data());
+      EXPECT_LT((forwards.row(c).transpose() - w).norm(), 1e-12 * w.norm());
+      EXPECT_LT((backwards.row(c).transpose() - transposed).norm(), 1e-12 * transposed.norm());
+    }
+  }
+}
 
 }  // namespace
 }  // namespace cirque

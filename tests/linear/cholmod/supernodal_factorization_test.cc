@@ -39,21 +39,21 @@ class SupernodalFactorizationTest : public ::testing::Test {
   Eigen::VectorXd Solve(const Eigen::VectorXd& b) {
     Eigen::VectorXd x;
     SupernodalSolver(factorization_.tree(), static_cast<const int*>(ours_.factor().Perm))
-        .Solve(factorization_, b, &x);
+        .Solve(RealSupernodes(factorization_), b, &x);
     return x;
   }
 
   Eigen::MatrixXd SolveTogether(const Eigen::MatrixXd& b) {
     Eigen::MatrixXd x;
     SupernodalSolver(factorization_.tree(), static_cast<const int*>(ours_.factor().Perm))
-        .SolveTogether(factorization_, b, &x);
+        .SolveTogether(RealSupernodes(factorization_), b, &x);
     return x;
   }
 
   const Eigen::VectorXd b_ = Eigen::VectorXd::LinSpaced(kSide * kSide, -1, 2);
   const SparseMatrix lower_ = GridMatrix(kSide, 0.1, 0.5);
   AnalysedFactor ours_{lower_};
-  SupernodalFactorization factorization_{lower_, ours_.factor()};
+  SupernodalFactorization<double> factorization_{lower_, ours_.factor()};
 };
 
 TEST_F(SupernodalFactorizationTest, GivesTheNumbersOfCholmod) {

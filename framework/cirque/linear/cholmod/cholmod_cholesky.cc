@@ -10,6 +10,7 @@
 #include <cholmod.h>
 
 #include "cirque/linear/cholmod/large_buffer.h"
+#include "cirque/linear/cholmod/matrix_view.h"
 #include "cirque/linear/cholmod/single_precision_factor.h"
 #include "cirque/linear/cholmod/supernodal_factorization.h"
 #include "cirque/linear/registry.h"
@@ -31,24 +32,6 @@ constexpr double kSupernodal = 30;
 /// Of a factor, for n unknowns on a surface, as multiples of n log2(n): 2.4 to 5 were measured from
 /// kManyUnknowns on.
 constexpr double kLeastNumbers = 2.4;
-
-/// A CHOLMOD view of an Eigen matrix: no copy.
-cholmod_sparse View(const SparseMatrix& lower) {
-  cholmod_sparse view = {};
-  view.nrow = static_cast<size_t>(lower.rows());
-  view.ncol = static_cast<size_t>(lower.cols());
-  view.nzmax = static_cast<size_t>(lower.nonZeros());
-  view.p = const_cast<int*>(lower.outerIndexPtr());
-  view.i = const_cast<int*>(lower.innerIndexPtr());
-  view.x = const_cast<double*>(lower.valuePtr());
-  view.stype = -1;
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
 
 cholmod_dense View(const Eigen::VectorXd& vector) {
   cholmod_dense view = {};
@@ -85,7 +68,8 @@ class CholmodCholesky final : public SparseCholesky {
 
   void Solve(const Eigen::VectorXd& b, Eigen::VectorXd* x) override {
     if (solver_) {
-      return rounded_ ? solver_->Solve(*rounded_, b, x) : solver_->Solve(*supernodal_, b, x);
+      if (rounded_) return solver_->Solve(*rounded_, b, x);
+      return solver_->Solve(RealSupernodes(*supernodal_), b, x);
     }
     cholmod_dense right_side = View(b);
     cholmod_solve2(CHOLMOD_A, factor_, &right_side, nullptr, &solution_, nullptr, &workspace_,
@@ -96,7 +80,7 @@ class CholmodCholesky final : public SparseCholesky {
 
   void SolveTogether(const Eigen::MatrixXd& b, Eigen::MatrixXd* x) override {
     if (!solver_ || rounded_ || b.cols() == 1) return SparseCholesky::SolveTogether(b, x);
-    solver_->SolveTogether(*supernodal_, b, x);
+    solver_->SolveTogether(RealSupernodes(*supernodal_), b, x);
   }
 
   void Reserve(int unknowns) override {
@@ -121,7 +105,7 @@ class CholmodCholesky final : public SparseCholesky {
  protected:
   bool Analyze(const SparseMatrix& lower) override {
     FreeFactor();
-    cholmod_sparse a = View(lower);
+    cholmod_sparse a = ViewOf(lower);
     const bool given = static_cast<Eigen::Index>(suggested_.size()) == lower.cols();
     const int own = lower.cols() < kToBeDissected ? CHOLMOD_AMD : CHOLMOD_METIS;
     common_.method[0].ordering = given ? CHOLMOD_GIVEN : own;
@@ -142,7 +126,7 @@ class CholmodCholesky final : public SparseCholesky {
       numbers_.Touch(factor_->xsize);
       return supernodal_->Compute(lower);
     }
-    cholmod_sparse a = View(lower);
+    cholmod_sparse a = ViewOf(lower);
     const bool done = cholmod_factorize(&a, factor_, &common_) != 0;
     ThrowIfOutOfMemory();
     return done && common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
@@ -176,7 +160,8 @@ class CholmodCholesky final : public SparseCholesky {
     cholmod_free_factor(&factor_, &common_);
   }
 
-  std::optional<SupernodalFactorization> supernodal_;  ///< for supernodal factors, as the solver
+  std::optional<SupernodalFactorization<double>>
+      supernodal_;  ///< for supernodal factors, as the solver
   std::optional<SupernodalSolver> solver_;
   std::unique_ptr<SinglePrecisionFactor> rounded_;
   LargeBuffer numbers_;

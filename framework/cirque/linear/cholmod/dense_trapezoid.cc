@@ -4,27 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 
 #include <Eigen/Core>
 
 #include "cirque/core/lanes.h"
 #include "cirque/core/parallel.h"
-
-// NOLINTBEGIN(readability-identifier-naming): the names of BLAS and LAPACK
-extern "C" {
-void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,
-            const int* k, const double* alpha, const double* a, const int* lda, const double* b,
-            const int* ldb, const double* beta, double* c, const int* ldc);
-void dtrsm_(const char* side, const char* uplo, const char* transpose, const char* diagonal,
-            const int* m, const int* n, const double* alpha, const double* a, const int* lda,
-            double* b, const int* ldb);
-void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-}
-// NOLINTEND(readability-identifier-naming)
+#include "cirque/linear/cholmod/blas_calls.h"
+#include "cirque/linear/cholmod/column_kernels.h"
 
 namespace cirque {
 namespace {
+
+using Complex = std::complex<double>;
 
 constexpr int kFewColumns = 8;      ///< up to here our loops are faster than the calls
 constexpr int kFewProducts = 64;    ///< columns times inner ones, likewise
@@ -32,51 +25,49 @@ constexpr int kFewNumbers = 256;    ///< of a trapezoid that solves for many rig
 constexpr int kBlockColumns = 128;  ///< of a factorization in parallel
 constexpr int kBlockRows = 256;
 
-bool FactorFewColumns(const DenseTrapezoid& t) {
+template <class Scalar>
+[[gnu::always_inline]] inline bool FactorFewColumns(const DenseTrapezoid<Scalar>& t) {
   for (int j = 0; j < t.columns; ++j) {
-    double* column = t.data + static_cast<std::size_t>(j) * t.rows;
+    Scalar* column = t.data + static_cast<std::size_t>(j) * t.rows;
     for (int k = 0; k < j; ++k) {
-      const double* before = t.data + static_cast<std::size_t>(k) * t.rows;
-      const double factor = before[j];
-      for (int i = j; i < t.rows; ++i) column[i] -= factor * before[i];
+      const Scalar* before = t.data + static_cast<std::size_t>(k) * t.rows;
+      column::AddMultiple(-column::Conjugate(before[j]), before + j, t.rows - j, column + j);
     }
-    if (!(column[j] > 0)) return false;
-    const double pivot = std::sqrt(column[j]), inverse = 1 / pivot;
+    const double square = std::real(column[j]);
+    if (!(square > 0)) return false;
+    const double pivot = std::sqrt(square);
     column[j] = pivot;
-    for (int i = j + 1; i < t.rows; ++i) column[i] *= inverse;
+    column::Scale(1 / pivot, t.rows - j - 1, column + j + 1);
   }
   return true;
 }
 
-bool FactorDiagonalBlock(double* block, int columns, int leading_dimension) {
-  int info = 0;
-  dpotrf_("L", &columns, block, &leading_dimension, &info);
-  return info == 0;
-}
-
-/// rows := rows L^-T for `count` rows, L the diagonal block of so many columns.
-void SolveRows(const double* block, int columns, int leading_dimension, int count, double* rows) {
-  const double one = 1;
-  dtrsm_("R", "L", "T", "N", &count, &columns, &one, block, &leading_dimension, rows,
-         &leading_dimension);
+/// rows := rows L^-* for `count` rows, L the diagonal block of so many columns.
+template <class Scalar>
+void SolveRows(const Scalar* block, int columns, int leading_dimension, int count, Scalar* rows) {
+  blas::SolveOnRight<Scalar>("C", count, columns, {block, leading_dimension},
+                             {rows, leading_dimension});
 }
 
 /// target := share target + factor product, by BLAS. The target's columns lie
 /// `stride` apart.
-void AddProduct(const ProductWithTransposed& p, double factor, double share, int stride,
-                double* target) {
-  dgemm_("N", "T", &p.rows, &p.columns, &p.inner, &factor, p.left, &p.leading_dimension, p.right,
-         &p.leading_dimension, &share, target, &stride);
+template <class Scalar>
+void AddProduct(const ProductWithTransposed<Scalar>& p, Scalar factor, Scalar share, int stride,
+                Scalar* target) {
+  blas::MultiplyAdd<Scalar>("N", "C", p.rows, p.columns, p.inner, factor,
+                            {p.left, p.leading_dimension}, {p.right, p.leading_dimension}, share,
+                            {target, stride});
 }
 
 /// Blocks of the columns [begin, end) of a trapezoid behind which the rest of the rows is done.
+template <class Scalar>
 class BlockColumn {
  public:
-  BlockColumn(const DenseTrapezoid& t, int begin)
+  BlockColumn(const DenseTrapezoid<Scalar>& t, int begin)
       : t_(t), begin_(begin), end_(std::min(t.columns, begin + kBlockColumns)) {}
 
   bool Factor() const {
-    if (!FactorDiagonalBlock(At(begin_, begin_), end_ - begin_, t_.rows)) return false;
+    if (!blas::Factorize<Scalar>(end_ - begin_, {At(begin_, begin_), t_.rows})) return false;
     ForEachRows(end_, [&](int first, int count) {
       SolveRows(At(begin_, begin_), end_ - begin_, t_.rows, count, At(first, begin_));
     });
@@ -88,14 +79,15 @@ class BlockColumn {
     for (int column = end_; column < t_.columns; column += kBlockColumns) {
       const int columns = std::min(kBlockColumns, t_.columns - column);
       ForEachRows(column, [&](int first, int count) {
-        AddProduct({At(first, begin_), At(column, begin_), t_.rows, count, columns, end_ - begin_},
-                   -1, 1, t_.rows, At(first, column));
+        AddProduct<Scalar>(
+            {At(first, begin_), At(column, begin_), t_.rows, count, columns, end_ - begin_}, -1, 1,
+            t_.rows, At(first, column));
       });
     }
   }
 
  private:
-  double* At(int row, int column) const {
+  Scalar* At(int row, int column) const {
     return t_.data + static_cast<std::size_t>(column) * t_.rows + row;
   }
 
@@ -109,63 +101,53 @@ class BlockColumn {
     });
   }
 
-  const DenseTrapezoid& t_;
+  const DenseTrapezoid<Scalar>& t_;
   int begin_, end_;
 };
 
 }  // namespace
 
-bool FactorTrapezoid(const DenseTrapezoid& t) {
-  if (t.columns <= kFewColumns) return FactorFewColumns(t);
-  if (!FactorDiagonalBlock(t.data, t.columns, t.rows)) return false;
+template <class Scalar>
+bool FactorTrapezoid(const DenseTrapezoid<Scalar>& t) {
+  if (t.columns <= kFewColumns) {
+    bool positive = true;
+    OnWideLanes([&]() __attribute__((always_inline)) { positive = FactorFewColumns(t); });
+    return positive;
+  }
+  if (!blas::Factorize<Scalar>(t.columns, {t.data, t.rows})) return false;
   if (t.rows > t.columns) {
-    SolveRows(t.data, t.columns, t.rows, t.rows - t.columns, t.data + t.columns);
+    SolveRows<Scalar>(t.data, t.columns, t.rows, t.rows - t.columns, t.data + t.columns);
   }
   return true;
 }
 
-bool FactorTrapezoidInParallel(const DenseTrapezoid& t) {
+template <class Scalar>
+bool FactorTrapezoidInParallel(const DenseTrapezoid<Scalar>& t) {
   for (int begin = 0; begin < t.columns; begin += kBlockColumns) {
-    const BlockColumn block(t, begin);
+    const BlockColumn<Scalar> block(t, begin);
     if (!block.Factor()) return false;
     block.SubtractBehind();
   }
   return true;
 }
 
-void SolveWithTrapezoid(const DenseTrapezoid& t, double* w) {
+template <class Scalar>
+void SolveWithTrapezoid(const DenseTrapezoid<Scalar>& t, Scalar* w) {
   OnWideLanes([&]() __attribute__((always_inline)) {
     for (int j = 0; j < t.columns; ++j) {
-      const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
-      const double solved = w[j] /= column[j];
-      for (int i = j + 1; i < t.rows; ++i) w[i] -= solved * column[i];
+      const Scalar* column = t.data + static_cast<std::size_t>(j) * t.rows;
+      const Scalar solved = w[j] /= std::real(column[j]);
+      column::AddMultiple(-solved, column + j + 1, t.rows - j - 1, w + j + 1);
     }
   });
 }
 
-namespace {
-
-[[gnu::always_inline]] inline double Dot(const double* a, const double* b, int n) {
-  constexpr int kStep = 2 * kLanes;
-  Lanes even{}, odd{};
-  int i = 0;
-  for (; i + kStep <= n; i += kStep) {
-    even += lanes::Load(a + i) * lanes::Load(b + i);
-    odd += lanes::Load(a + i + kLanes) * lanes::Load(b + i + kLanes);
-  }
-  even += odd;
-  double sum = (even[0] + even[1]) + (even[2] + even[3]);
-  for (; i < n; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-}  // namespace
-
-void SolveWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
+template <class Scalar>
+void SolveWithTrapezoidTransposed(const DenseTrapezoid<Scalar>& t, Scalar* w) {
   OnWideLanes([&]() __attribute__((always_inline)) {
     for (int j = t.columns; j-- > 0;) {
-      const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
-      w[j] = (w[j] - Dot(column + j + 1, w + j + 1, t.rows - j - 1)) / column[j];
+      const Scalar* column = t.data + static_cast<std::size_t>(j) * t.rows;
+      w[j] = (w[j] - column::Dot(column + j + 1, w + j + 1, t.rows - j - 1)) / std::real(column[j]);
     }
   });
 }
@@ -179,9 +161,9 @@ RowOfRightSides RowOf(double* w, int i) {
   return RowOfRightSides(w + static_cast<std::size_t>(i) * kSolvedTogether);
 }
 
-bool HasFewNumbers(const DenseTrapezoid& t) { return t.rows * t.columns <= kFewNumbers; }
+bool HasFewNumbers(const DenseTrapezoid<double>& t) { return t.rows * t.columns <= kFewNumbers; }
 
-void SolveTogetherWithFew(const DenseTrapezoid& t, double* w) {
+void SolveTogetherWithFew(const DenseTrapezoid<double>& t, double* w) {
   for (int j = 0; j < t.columns; ++j) {
     const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
     const RightSides solved = RowOf(w, j) / column[j];
@@ -190,7 +172,7 @@ void SolveTogetherWithFew(const DenseTrapezoid& t, double* w) {
   }
 }
 
-void SolveTogetherWithFewTransposed(const DenseTrapezoid& t, double* w) {
+void SolveTogetherWithFewTransposed(const DenseTrapezoid<double>& t, double* w) {
   for (int j = t.columns; j-- > 0;) {
     const double* column = t.data + static_cast<std::size_t>(j) * t.rows;
     RightSides rest = RowOf(w, j);
@@ -201,47 +183,59 @@ void SolveTogetherWithFewTransposed(const DenseTrapezoid& t, double* w) {
 
 /// The columns' rows of w become themselves times L^-T, or times L^-1: w seen by columns is its
 /// transpose.
-void SolveColumnsTogether(const char* transpose, const DenseTrapezoid& t, double* w) {
-  const double one = 1;
-  dtrsm_("R", "L", transpose, "N", &kSolvedTogether, &t.columns, &one, t.data, &t.rows, w,
-         &kSolvedTogether);
+void SolveColumnsTogether(const char* transpose, const DenseTrapezoid<double>& t, double* w) {
+  blas::SolveOnRight<double>(transpose, kSolvedTogether, t.columns, {t.data, t.rows},
+                             {w, kSolvedTogether});
 }
 
 }  // namespace
 
-void SolveTogetherWithTrapezoid(const DenseTrapezoid& t, double* w) {
+void SolveTogetherWithTrapezoid(const DenseTrapezoid<double>& t, double* w) {
   if (HasFewNumbers(t)) return SolveTogetherWithFew(t, w);
   SolveColumnsTogether("T", t, w);
   const int below = t.rows - t.columns;
   if (below == 0) return;
-  const double one = 1, minus_one = -1;
-  dgemm_("N", "T", &kSolvedTogether, &below, &t.columns, &minus_one, w, &kSolvedTogether,
-         t.data + t.columns, &t.rows, &one, RowOf(w, t.columns).data(), &kSolvedTogether);
+  blas::MultiplyAdd<double>("N", "T", kSolvedTogether, below, t.columns, -1, {w, kSolvedTogether},
+                            {t.data + t.columns, t.rows}, 1,
+                            {RowOf(w, t.columns).data(), kSolvedTogether});
 }
 
-void SolveTogetherWithTrapezoidTransposed(const DenseTrapezoid& t, double* w) {
+void SolveTogetherWithTrapezoidTransposed(const DenseTrapezoid<double>& t, double* w) {
   if (HasFewNumbers(t)) return SolveTogetherWithFewTransposed(t, w);
   const int below = t.rows - t.columns;
-  const double one = 1, minus_one = -1;
   if (below > 0) {
-    dgemm_("N", "N", &kSolvedTogether, &t.columns, &below, &minus_one, RowOf(w, t.columns).data(),
-           &kSolvedTogether, t.data + t.columns, &t.rows, &one, w, &kSolvedTogether);
+    blas::MultiplyAdd<double>("N", "N", kSolvedTogether, t.columns, below, -1,
+                              {RowOf(w, t.columns).data(), kSolvedTogether},
+                              {t.data + t.columns, t.rows}, 1, {w, kSolvedTogether});
   }
   SolveColumnsTogether("N", t, w);
 }
 
-void Multiply(const ProductWithTransposed& p, double* result) {
-  if (p.columns * p.inner > kFewProducts) return AddProduct(p, 1, 0, p.rows, result);
-  for (int c = 0; c < p.columns; ++c) {
-    double* column = result + static_cast<std::size_t>(c) * p.rows;
-    std::fill_n(column, p.rows, 0.0);
-    for (int k = 0; k < p.inner; ++k) {
-      const std::size_t start = static_cast<std::size_t>(k) * p.leading_dimension;
-      const double factor = p.right[start + c];
-      for (int r = 0; r < p.rows; ++r) column[r] += factor * p.left[start + r];
+template <class Scalar>
+void Multiply(const ProductWithTransposed<Scalar>& p, Scalar* result) {
+  if (p.columns * p.inner > kFewProducts) return AddProduct<Scalar>(p, 1, 0, p.rows, result);
+  OnWideLanes([&]() __attribute__((always_inline)) {
+    for (int c = 0; c < p.columns; ++c) {
+      Scalar* column = result + static_cast<std::size_t>(c) * p.rows;
+      std::fill_n(column, p.rows, Scalar(0));
+      for (int k = 0; k < p.inner; ++k) {
+        const std::size_t start = static_cast<std::size_t>(k) * p.leading_dimension;
+        column::AddMultiple(column::Conjugate(p.right[start + c]), p.left + start, p.rows, column);
+      }
     }
-  }
+  });
 }
+
+template bool FactorTrapezoid(const DenseTrapezoid<double>&);
+template bool FactorTrapezoid(const DenseTrapezoid<Complex>&);
+template bool FactorTrapezoidInParallel(const DenseTrapezoid<double>&);
+template bool FactorTrapezoidInParallel(const DenseTrapezoid<Complex>&);
+template void SolveWithTrapezoid(const DenseTrapezoid<double>&, double*);
+template void SolveWithTrapezoid(const DenseTrapezoid<Complex>&, Complex*);
+template void SolveWithTrapezoidTransposed(const DenseTrapezoid<double>&, double*);
+template void SolveWithTrapezoidTransposed(const DenseTrapezoid<Complex>&, Complex*);
+template void Multiply(const ProductWithTransposed<double>&, double*);
+template void Multiply(const ProductWithTransposed<Complex>&, Complex*);
 
 }  // namespace cirque
 

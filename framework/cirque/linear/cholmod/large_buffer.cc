@@ -35,12 +35,14 @@ bool LargeBuffer::Allocate(double count) {
   if (wanted > kMost) return false;
   data_.reset();
   capacity_ = touched_ = 0;
-  const std::size_t bytes = (static_cast<std::size_t>(wanted) / kPage + 1) * kPage;
-  data_.reset(static_cast<double*>(std::aligned_alloc(kPage, bytes)));
+  // Of a large page all has to be cleared, for however little.
+  const std::size_t page = wanted < kPage ? kTouch * sizeof(double) : kPage;
+  const std::size_t bytes = (static_cast<std::size_t>(wanted) / page + 1) * page;
+  data_.reset(static_cast<double*>(std::aligned_alloc(page, bytes)));
   if (!data_) return false;
   capacity_ = bytes / sizeof(double);
 #ifdef __linux__
-  madvise(data_.get(), bytes, MADV_HUGEPAGE);
+  if (page == kPage) madvise(data_.get(), bytes, MADV_HUGEPAGE);
 #endif
   return true;
 }

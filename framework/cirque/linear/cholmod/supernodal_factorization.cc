@@ -7,6 +7,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/core/types.h"
+#include "cirque/linear/cholmod/column_kernels.h"
 
 namespace cirque {
 namespace {
@@ -18,23 +19,26 @@ static_assert(SupernodeBlockNumbers::kTogether == kSolvedTogether);
 }  // namespace
 
 /// What one thread at a time works with.
-struct SupernodalFactorization::Workspace {
+template <class Scalar>
+struct SupernodalFactorization<Scalar>::Workspace {
   explicit Workspace(int unknowns) : place(new int[unknowns]) {}
 
   std::unique_ptr<int[]> place;  ///< per column of the factor, its row in the supernode at work
   std::vector<Descendant> descendants;
-  std::vector<double> product;
+  std::vector<Scalar> product;
 };
 
-SupernodalFactorization::SupernodalFactorization(const SparseMatrix& lower,
-                                                 const cholmod_factor& factor)
+template <class Scalar>
+SupernodalFactorization<Scalar>::SupernodalFactorization(const Matrix& lower,
+                                                         const cholmod_factor& factor)
     : factor_(factor), tree_(factor), place_in_order_(factor.n) {
   const int* order = static_cast<const int*>(factor.Perm);
   for (int k = 0; k < static_cast<int>(factor.n); ++k) place_in_order_[order[k]] = k;
   ListByRows(lower);
 }
 
-void SupernodalFactorization::ListByRows(const SparseMatrix& lower) {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::ListByRows(const Matrix& lower) {
   const int n = static_cast<int>(lower.cols());
   const int *outer = lower.outerIndexPtr(), *inner = lower.innerIndexPtr();
   row_start_.assign(n + 1, 0);
@@ -52,26 +56,15 @@ void SupernodalFactorization::ListByRows(const SparseMatrix& lower) {
   }
 }
 
-DenseTrapezoid SupernodalFactorization::Numbers(int s) const {
-  return {static_cast<double*>(factor_.x) + static_cast<const int*>(factor_.px)[s],
+template <class Scalar>
+DenseTrapezoid<Scalar> SupernodalFactorization<Scalar>::Numbers(int s) const {
+  return {static_cast<Scalar*>(factor_.x) + static_cast<const int*>(factor_.px)[s],
           tree_.NumRows(s), tree_.NumColumns(s)};
 }
 
-void SupernodalFactorization::Solve(int s, double* w) const { SolveWithTrapezoid(Numbers(s), w); }
-
-void SupernodalFactorization::SolveTransposed(int s, double* w) const {
-  SolveWithTrapezoidTransposed(Numbers(s), w);
-}
-
-void SupernodalFactorization::SolveTogether(int s, double* w) const {
-  SolveTogetherWithTrapezoid(Numbers(s), w);
-}
-
-void SupernodalFactorization::SolveTogetherTransposed(int s, double* w) const {
-  SolveTogetherWithTrapezoidTransposed(Numbers(s), w);
-}
-
-void SupernodalFactorization::TakeDescendants(int s, std::vector<Descendant>* descendants) const {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::TakeDescendants(int s,
+                                                      std::vector<Descendant>* descendants) const {
   descendants->clear();
   for (int d = last_waiting_[s]; d != kNone; d = waits_before_[d]) {
     const int* rows = tree_.Rows(d);
@@ -82,13 +75,14 @@ void SupernodalFactorization::TakeDescendants(int s, std::vector<Descendant>* de
 }
 
 /// The matrix's entries in the columns of s, zeros elsewhere.
-void SupernodalFactorization::Fill(const SparseMatrix& lower, int s, int* place) const {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::Fill(const Matrix& lower, int s, int* place) const {
   const int rows = tree_.NumRows(s), columns = tree_.NumColumns(s);
   for (int k = 0; k < rows; ++k) place[tree_.Rows(s)[k]] = k;
-  double* numbers = Numbers(s).data;
-  std::fill_n(numbers, static_cast<std::size_t>(rows) * columns, 0.0);
+  Scalar* numbers = Numbers(s).data;
+  std::fill_n(numbers, static_cast<std::size_t>(rows) * columns, Scalar(0));
   const int *outer = lower.outerIndexPtr(), *inner = lower.innerIndexPtr();
-  const double* value = lower.valuePtr();
+  const Scalar* value = lower.valuePtr();
   for (int k = 0; k < columns; ++k, numbers += rows) {
     const int j = tree_.FirstColumn(s) + k;
     const int unknown = static_cast<const int*>(factor_.Perm)[j];
@@ -98,35 +92,38 @@ void SupernodalFactorization::Fill(const SparseMatrix& lower, int s, int* place)
     }
     for (int p = row_start_[unknown]; p < row_start_[unknown + 1]; ++p) {
       const int i = place_in_order_[column_[p]];
-      if (i > j) numbers[place[i]] = value[entry_[p]];
+      if (i > j) numbers[place[i]] = column::Conjugate(value[entry_[p]]);
     }
   }
 }
 
-void SupernodalFactorization::Subtract(const Descendant& of, int s, int first, int last,
-                                       const int* place, std::vector<double>* product) const {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::Subtract(const Descendant& of, int s, int first, int last,
+                                               const int* place,
+                                               std::vector<Scalar>* product) const {
   const int* rows = tree_.Rows(of.d);
-  const double* numbers = Numbers(of.d).data;
+  const Scalar* numbers = Numbers(of.d).data;
   const int count = last - first, columns = std::min(of.end, last) - of.begin;
   const std::size_t size = static_cast<std::size_t>(count) * columns;
   if (product->size() < size) product->resize(size);
-  Multiply({numbers + first, numbers + of.begin, tree_.NumRows(of.d), count, columns,
-            tree_.NumColumns(of.d)},
-           product->data());
+  Multiply<Scalar>({numbers + first, numbers + of.begin, tree_.NumRows(of.d), count, columns,
+                    tree_.NumColumns(of.d)},
+                   product->data());
   for (int c = 0; c < columns; ++c) {
-    double* target = Numbers(s).data + static_cast<std::size_t>(place[rows[of.begin + c]]) *
+    Scalar* target = Numbers(s).data + static_cast<std::size_t>(place[rows[of.begin + c]]) *
                                            static_cast<std::size_t>(tree_.NumRows(s));
-    const double* source = product->data() + static_cast<std::size_t>(c) * count - first;
+    const Scalar* source = product->data() + static_cast<std::size_t>(c) * count - first;
     for (int r = std::max(first, of.begin + c); r < last; ++r) target[place[rows[r]]] -= source[r];
   }
 }
 
-void SupernodalFactorization::SubtractInBlocks(int s, const Workspace& work) const {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::SubtractInBlocks(int s, const Workspace& work) const {
   const int blocks = (tree_.NumRows(s) + kBlockRows - 1) / kBlockRows;
   ParallelTasks(blocks, [&](int block) {
     const int begin = block * kBlockRows, end = std::min(begin + kBlockRows, tree_.NumRows(s));
     const int first_row = tree_.Rows(s)[begin], last_row = tree_.Rows(s)[end - 1];
-    std::vector<double> product;
+    std::vector<Scalar> product;
     for (const Descendant& of : work.descendants) {
       const int *rows = tree_.Rows(of.d), *rows_end = rows + tree_.NumRows(of.d);
       const int* first = std::lower_bound(rows + of.begin, rows_end, first_row);
@@ -138,7 +135,8 @@ void SupernodalFactorization::SubtractInBlocks(int s, const Workspace& work) con
   });
 }
 
-void SupernodalFactorization::Pass(int d, int position, std::vector<int>* to_top) {
+template <class Scalar>
+void SupernodalFactorization<Scalar>::Pass(int d, int position, std::vector<int>* to_top) {
   position_[d] = position;
   if (position == tree_.NumRows(d)) return;
   const int column = tree_.Rows(d)[position];
@@ -148,8 +146,9 @@ void SupernodalFactorization::Pass(int d, int position, std::vector<int>* to_top
   last_waiting_[s] = d;
 }
 
-bool SupernodalFactorization::FactorInSubtree(const SparseMatrix& lower, int s, Workspace* work,
-                                              std::vector<int>* to_top) {
+template <class Scalar>
+bool SupernodalFactorization<Scalar>::FactorInSubtree(const Matrix& lower, int s, Workspace* work,
+                                                      std::vector<int>* to_top) {
   Fill(lower, s, work->place.get());
   TakeDescendants(s, &work->descendants);
   for (const Descendant& of : work->descendants) {
@@ -160,7 +159,8 @@ bool SupernodalFactorization::FactorInSubtree(const SparseMatrix& lower, int s, 
   return FactorTrapezoid(Numbers(s));
 }
 
-bool SupernodalFactorization::FactorAtTop(const SparseMatrix& lower, int s, Workspace* work) {
+template <class Scalar>
+bool SupernodalFactorization<Scalar>::FactorAtTop(const Matrix& lower, int s, Workspace* work) {
   Fill(lower, s, work->place.get());
   TakeDescendants(s, &work->descendants);
   SubtractInBlocks(s, *work);
@@ -169,7 +169,8 @@ bool SupernodalFactorization::FactorAtTop(const SparseMatrix& lower, int s, Work
   return FactorTrapezoidInParallel(Numbers(s));
 }
 
-bool SupernodalFactorization::Compute(const SparseMatrix& lower) {
+template <class Scalar>
+bool SupernodalFactorization<Scalar>::Compute(const Matrix& lower) {
   last_waiting_.assign(tree_.num_supernodes(), kNone);
   waits_before_.resize(tree_.num_supernodes());
   position_.resize(tree_.num_supernodes());
@@ -191,6 +192,31 @@ bool SupernodalFactorization::Compute(const SparseMatrix& lower) {
   Workspace work(static_cast<int>(factor_.n));
   return std::all_of(tree_.top_supernodes().begin(), tree_.top_supernodes().end(),
                      [&](int s) { return FactorAtTop(lower, s, &work); });
+}
+
+template class SupernodalFactorization<double>;
+template class SupernodalFactorization<std::complex<double>>;
+
+void RealSupernodes::Solve(int s, double* w) const { SolveWithTrapezoid(of_.Numbers(s), w); }
+
+void RealSupernodes::SolveTransposed(int s, double* w) const {
+  SolveWithTrapezoidTransposed(of_.Numbers(s), w);
+}
+
+void RealSupernodes::SolveTogether(int s, double* w) const {
+  SolveTogetherWithTrapezoid(of_.Numbers(s), w);
+}
+
+void RealSupernodes::SolveTogetherTransposed(int s, double* w) const {
+  SolveTogetherWithTrapezoidTransposed(of_.Numbers(s), w);
+}
+
+void ComplexSupernodes::Solve(int s, double* w) const {
+  SolveWithTrapezoid(of_.Numbers(s), reinterpret_cast<std::complex<double>*>(w));
+}
+
+void ComplexSupernodes::SolveTransposed(int s, double* w) const {
+  SolveWithTrapezoidTransposed(of_.Numbers(s), reinterpret_cast<std::complex<double>*>(w));
 }
 
 }  // namespace cirque

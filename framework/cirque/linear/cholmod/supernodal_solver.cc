@@ -11,6 +11,7 @@ namespace cirque {
 namespace {
 
 constexpr int kTogether = SupernodeBlockNumbers::kTogether;
+constexpr int kComplex = 2;  ///< parts of a complex number
 
 /// The entries of row i, of kWidth right sides.
 template <int kWidth>
@@ -36,10 +37,10 @@ void SupernodalSolver::Forward(const Numbers& numbers, int s, double* far, Eigen
   if (std::all_of(own, Row<kWidth>(own, columns), [](double value) { return value == 0; })) return;
   std::copy(own, Row<kWidth>(own, columns), w);
   std::fill_n(Row<kWidth>(w, columns), (rows - columns + SupernodeNumbers::kPadding) * kWidth, 0.0);
-  if constexpr (kWidth == 1) {
-    numbers.Solve(s, w);
-  } else {
+  if constexpr (kWidth == kTogether) {
     numbers.SolveTogether(s, w);
+  } else {
+    numbers.Solve(s, w);
   }
   std::copy(w, Row<kWidth>(w, columns), own);
   const int* row = tree_.Rows(s);
@@ -60,10 +61,10 @@ void SupernodalSolver::Backward(const Numbers& numbers, int s, Eigen::VectorXd* 
     std::copy_n(Row<kWidth>(x, row[k]), kWidth, Row<kWidth>(w, k));
   }
   std::fill_n(Row<kWidth>(w, rows), SupernodeNumbers::kPadding * kWidth, 0.0);
-  if constexpr (kWidth == 1) {
-    numbers.SolveTransposed(s, w);
-  } else {
+  if constexpr (kWidth == kTogether) {
     numbers.SolveTogetherTransposed(s, w);
+  } else {
+    numbers.SolveTransposed(s, w);
   }
   std::copy(w, Row<kWidth>(w, columns), own);
 }
@@ -107,15 +108,28 @@ void SupernodalSolver::MakeRoom(int width) {
   for (Eigen::VectorXd& work : work_) work.resize(most_rows * width);
 }
 
+template <int kWidth, class Vector>
+void SupernodalSolver::SolveOne(const SupernodeNumbers& numbers, const Vector& b, Vector* x) {
+  using Scalar = typename Vector::Scalar;
+  static_assert(kWidth * sizeof(double) == sizeof(Scalar));
+  const int n = tree_.num_columns();
+  MakeRoom(kWidth);
+  auto* entries = reinterpret_cast<Scalar*>(x_.data());
+  ParallelFor(n, [&](int k) { entries[k] = b[order_[k]]; });
+  ForwardAll<kWidth>(numbers);
+  BackwardAll<kWidth>(numbers);
+  x->resize(n);
+  ParallelFor(n, [&](int k) { (*x)[order_[k]] = entries[k]; });
+}
+
 void SupernodalSolver::Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b,
                              Eigen::VectorXd* x) {
-  const int n = tree_.num_columns();
-  MakeRoom(1);
-  ParallelFor(n, [&](int k) { x_[k] = b[order_[k]]; });
-  ForwardAll<1>(numbers);
-  BackwardAll<1>(numbers);
-  x->resize(n);
-  ParallelFor(n, [&](int k) { (*x)[order_[k]] = x_[k]; });
+  SolveOne<1>(numbers, b, x);
+}
+
+void SupernodalSolver::Solve(const SupernodeNumbers& numbers, const Eigen::VectorXcd& b,
+                             Eigen::VectorXcd* x) {
+  SolveOne<kComplex>(numbers, b, x);
 }
 
 void SupernodalSolver::SolveTogether(const SupernodeBlockNumbers& numbers, const Eigen::MatrixXd& b,

@@ -48,6 +48,9 @@ class SupernodalSolver {
   /// x = (L L')^-1 b, the unknowns in their order before that of the factor.
   void Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b, Eigen::VectorXd* x);
 
+  /// The same with the numbers of a complex factor: w has real and imaginary parts in turn.
+  void Solve(const SupernodeNumbers& numbers, const Eigen::VectorXcd& b, Eigen::VectorXcd* x);
+
   /// The same of every column of b, by so many at once as the numbers are for.
   void SolveTogether(const SupernodeBlockNumbers& numbers, const Eigen::MatrixXd& b,
                      Eigen::MatrixXd* x);
@@ -55,7 +58,8 @@ class SupernodalSolver {
  private:
   /// Solves for the columns of s and takes them out of the rows below: out of x_, or of `far` by
   /// number where the row belongs to the top and s does not.
-  /// Of kWidth right sides, whose entries of a row lie side by side everywhere.
+  /// Of kWidth right sides, whose entries of a row lie side by side everywhere; or of one, with the
+  /// kComplex parts of its entries.
   template <int kWidth, class Numbers>
   void Forward(const Numbers& numbers, int s, double* far, Eigen::VectorXd* work);
   template <int kWidth, class Numbers>
@@ -67,6 +71,9 @@ class SupernodalSolver {
   void BackwardAll(const Numbers& numbers);
 
   void MakeRoom(int width);
+
+  template <int kWidth, class Vector>
+  void SolveOne(const SupernodeNumbers& numbers, const Vector& b, Vector* x);
 
   const SupernodalTree& tree_;
   const int* order_;
