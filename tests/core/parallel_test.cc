@@ -95,17 +95,5 @@ TEST(Parallel, SmallBackgroundTasksAreDoneAtOnce) {
   EXPECT_EQ(done, 1);
 }
 
-TEST(Parallel, SortsByValueThenIndex) {
-  std::mt19937 random(3);
-  std::vector<std::pair<double, int>> keys;
-  for (int i = 0; i < 50000; ++i) keys.emplace_back(random() % 1000, i);
-  auto expected = keys;
-  std::shuffle(keys.begin(), keys.end(), random);
-  std::stable_sort(expected.begin(), expected.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  ParallelSort(&keys);
-  EXPECT_EQ(keys, expected);
-}
-
 }  // namespace
 }  // namespace cirque

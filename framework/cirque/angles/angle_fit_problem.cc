@@ -7,6 +7,7 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/energy/dual_angle_energy.h"
+#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 namespace {
@@ -22,14 +23,18 @@ class InequalityCheck {
   InequalityCheck(const AngleFitProblem& problem, const AngleObjective& objective,
                   const Eigen::VectorXd& alpha, const Eigen::VectorXd& y)
       : problem_(problem), objective_(objective), alpha_(alpha), y_(y) {
-    if (!objective.TakesArrays()) return;
     std::vector<double> references(alpha.size());
-    for (std::size_t h = 0; h < references.size(); ++h) {
+    ParallelFor(static_cast<int>(alpha.size()), [&](Index h) {
       references[h] = objective.ClampReference(problem.reference[h], problem.epsilon);
-    }
+    });
     auto jets = std::make_shared<std::vector<ScalarJet>>(references.size());
     objective.Distances(references, {alpha.data(), references.size()}, *jets);
     jets_ = std::move(jets);
+  }
+
+  /// Of all corners from their references.
+  double SumOfDistances() const {
+    return ParallelSum(static_cast<int>(jets_->size()), [&](Index h) { return (*jets_)[h].value; });
   }
 
   void AddEdge(Index l, Index r) {
@@ -77,13 +82,13 @@ class InequalityCheck {
 
   /// (A'y - grad phi)_h.
   double Excess(Index h, double theta, double theta_reference) {
-    const auto slope = [&](double raw, double x) {
-      return objective_.Distance(objective_.ClampReference(raw, problem_.epsilon), x).slope;
-    };
     const double target = problem_.constraints.Slope(y_.data(), h);
     largest_slope_ = std::max(largest_slope_, std::abs(target));
-    double gradient = jets_ ? (*jets_)[h].slope : slope(problem_.reference[h], alpha_[h]);
-    if (objective_.MeasuresTheta()) gradient -= slope(theta_reference, theta);
+    double gradient = (*jets_)[h].slope;
+    if (objective_.MeasuresTheta()) {
+      const double reference = objective_.ClampReference(theta_reference, problem_.epsilon);
+      gradient -= objective_.Distance(reference, theta).slope;
+    }
     return target - gradient;
   }
 
@@ -102,7 +107,7 @@ class InequalityCheck {
   const AngleObjective& objective_;
   const Eigen::VectorXd& alpha_;
   const Eigen::VectorXd& y_;
-  /// The distances of all corners, where the objective takes arrays; shared by the parts.
+  /// The distances of all corners; shared by the parts.
   std::shared_ptr<const std::vector<ScalarJet>> jets_;
   double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0, violation_ = 0;
 };
@@ -158,12 +163,12 @@ KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objecti
   // nothing.
   const std::shared_ptr<const AngleObjective> borrowed(std::shared_ptr<void>(), &objective);
   const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, borrowed);
-  report.primal = energy.Primal(alpha);
+  InequalityCheck check(problem, objective, alpha, y);
+  report.primal = objective.MeasuresTheta() ? energy.Primal(alpha) : check.SumOfDistances();
   double negated_dual = kUnset;
   report.stationarity = (alpha - energy.Angles(y.data(), &negated_dual)).lpNorm<Eigen::Infinity>();
   report.dual = -negated_dual;
   const Triangulation& t = problem.constraints.triangulation();
-  InequalityCheck check(problem, objective, alpha, y);
   std::vector<InequalityCheck> of_block(NumBlocks(t.num_edges()), check);
   ForEachBlock(t.num_edges(), [&](int block, int begin, int end) {
     for (Index e = begin; e < end; ++e) {

@@ -2,7 +2,6 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
@@ -57,12 +56,6 @@ void ParallelQueue(int n, const std::function<void(int)>& body) {
       arena.execute([&] { body(i); });
     }
   });
-}
-
-void ParallelSort(std::vector<std::pair<double, int>>* keys) {
-  // Threads that are not there yet take longer to begin than this.
-  if (keys->size() <= kParallelBlock) return std::sort(keys->begin(), keys->end());
-  tbb::parallel_sort(keys->begin(), keys->end());
 }
 
 struct BackgroundTask::Group {

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace cirque {
@@ -58,9 +57,6 @@ void ParallelTasks(int n, const std::function<void(int)>& body);
 /// of different size, the longest first. Each may have parallel loops of its own, which share the
 /// same threads and never take up another piece while they wait. body must not throw.
 void ParallelQueue(int n, const std::function<void(int)>& body);
-
-/// Sorts by value, then by index; no value may be NaN.
-void ParallelSort(std::vector<std::pair<double, int>>* keys);
 
 /// Work that goes on beside the caller's from construction to Wait(); with one thread it is done by
 /// Wait(), and at once where it is about no more elements than a block has: a thread would take longer to

@@ -79,10 +79,6 @@ void ForEachBlock(int n, const std::function<void(int block, int begin, int end)
   });
 }
 
-void ParallelSort(std::vector<std::pair<double, int>>* keys) {
-  std::sort(keys->begin(), keys->end());
-}
-
 struct BackgroundTask::Group {
   std::function<void()> work;
   std::thread thread;

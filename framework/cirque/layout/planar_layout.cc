@@ -6,6 +6,7 @@
 
 #include "cirque/core/grouping.h"
 #include "cirque/core/parallel.h"
+#include "cirque/core/sort_keys.h"
 
 namespace cirque {
 namespace {
@@ -102,7 +103,7 @@ class SpanningForest {
       order[e] = {lengths.value[e], e};
       ends[e] = {t.Tail(h), t.Tip(h)};
     });
-    ParallelSort(&order);
+    SortKeys(&order);
     DisjointSets sets(t.num_vertices);
     edges_.reserve(t.num_vertices);
     std::vector<Index> end;

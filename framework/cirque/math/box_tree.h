@@ -11,8 +11,9 @@
 
 namespace cirque {
 
-/// A binary tree of boxes in the plane or in space, halved at the median along the axis on which their centres spread most:
-/// finds those that meet a given set in O(log n + found), however much their sizes differ.
+/// A binary tree of boxes in the plane or in space, halved again and again along a curve that fills the cube about their
+/// centres (G. M. Morton, "A computer oriented geodetic data base", 1966): finds those that meet a given set in
+/// O(log n + found), however much their sizes differ. Built in linear time.
 template <int N>
 class BoxTreeOf {
  public:
@@ -53,13 +54,7 @@ class BoxTreeOf {
     Index left = kNone, right = kNone;
   };
 
-  /// A box by twice its centre.
-  struct Item {
-    std::array<double, N> centre;
-    Index box;
-  };
-
-  Index Build(Index begin, Index end, std::vector<Item>* items);
+  Index Build(Index begin, Index end);
 
   std::vector<Box> boxes_;
   std::vector<Index> order_;  ///< the boxes leaf by leaf

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "cirque/core/parallel.h"
+#include "cirque/core/sort_keys.h"
 
 namespace cirque {
 namespace {
@@ -29,7 +29,7 @@ std::vector<double> AreaPercentiles(const Eigen::VectorXd& area, const Eigen::Ve
   if (values.size() == 0) return std::vector<double>(fractions.size(), kNothing);
   std::vector<std::pair<double, int>> order(values.size());
   for (int i = 0; i < values.size(); ++i) order[i] = {values[i], i};
-  ParallelSort(&order);
+  SortKeys(&order);
   const double total = area.sum();
   std::vector<double> percentiles;
   double below = 0;
