@@ -53,7 +53,7 @@ class EveryConeHeuristic : public testing::TestWithParam<Case> {
 
   StatusOr<ConeTargets> Choose() const {
     const EdgeLengths lengths = MeasureEdgeLengths(surface_);
-    return PlaceCones(MeasureSurface(surface_.triangulation, lengths), {}, options_);
+    return PlaceCones(ConeSite(MeasureSurface(surface_.triangulation, lengths)), options_);
   }
 
   Surface surface_;
@@ -185,7 +185,7 @@ TEST(ConeHeuristics, MultiplesTakeMoreConesWhereFewDoNotAddUp) {
     ParameterizeOptions options;
     options.cones = "greedy:cones=3";
     options.cone_angles = angles;
-    const auto targets = PlaceCones(measured, {}, options);
+    const auto targets = PlaceCones(ConeSite(measured), options);
     ASSERT_TRUE(targets.ok()) << targets.status().message();
     EXPECT_NEAR(MeasureGaussBonnetDefect(surface.triangulation, *targets).lower, 0, 1e-9);
   }
@@ -202,7 +202,7 @@ TEST(ConeHeuristics, NoHeuristicRefusesASmallClosedSurface) {
       if (name == "none" || name == "given") continue;
       ParameterizeOptions options;
       options.cones = name;
-      const auto targets = PlaceCones(measured, {}, options);
+      const auto targets = PlaceCones(ConeSite(measured), options);
       EXPECT_TRUE(targets.ok()) << generator << " " << name << ": " << targets.status().message();
     }
   }

@@ -109,7 +109,7 @@ TEST(Holonomy, MissesOfGivenConesAreSaid) {
   rounded.cone_angles = "pi/2";
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
   const ConeTargets targets =
-      *PlaceCones(MeasureSurface(surface.triangulation, lengths), {}, rounded);
+      *PlaceCones(ConeSite(MeasureSurface(surface.triangulation, lengths)), rounded);
   ParameterizeRequest request{Asking(HolonomyRule::kHalves)};
   request.targets = targets;
   Parameterization map;

@@ -34,7 +34,7 @@ class Ladder : public testing::Test {
       map->targets = FreeBoundaryTargets(surface_.triangulation);
       return end_of(road, map);
     };
-    return ClimbLadder({measured_, asked, cut_given_}, take, &map_);
+    return ClimbLadder({ConeSite(measured_), asked, cut_given_}, take, &map_);
   }
 
   std::vector<std::string> Tried() const {

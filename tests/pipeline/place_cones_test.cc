@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ using ::testing::HasSubstr;
 
 StatusOr<ConeTargets> Place(const Surface& surface, const ParameterizeOptions& options) {
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  return PlaceCones(MeasureSurface(surface.triangulation, lengths), {}, options);
+  return PlaceCones(ConeSite(MeasureSurface(surface.triangulation, lengths)), options);
 }
 
 /// What the cones take away from the angle sums, in all [rad].
@@ -93,6 +94,24 @@ double PredictedRange(const ConeProblem& problem, int cones) {
   return 2 * (u.maxCoeff() - u.minCoeff());
 }
 
+TEST(ConeSite, KeepsItsProblemFromTheSecondTimeOn) {
+  const Surface sphere = GeneratedSurface("sphere", 400);
+  const EdgeLengths lengths = MeasureEdgeLengths(sphere);
+  const IntrinsicSurface measured = MeasureSurface(sphere.triangulation, lengths);
+  const ConeSite site(measured);
+  const std::weak_ptr<const ConeProblem> first = site.Problem();
+  EXPECT_TRUE(first.expired());
+  const std::weak_ptr<const ConeProblem> second = site.Problem();
+  EXPECT_EQ(second.lock(), site.Problem());
+  EXPECT_NEAR(second.lock()->TotalCurvature(), 4 * kPi, 1e-12);
+  // Placed again the cones are those that were placed first.
+  const StatusOr<ConeTargets> once = PlaceCones(ConeSite(measured), {}),
+                              again = PlaceCones(site, {});
+  ASSERT_TRUE(once.ok() && again.ok());
+  EXPECT_EQ(ConesOf(sphere.triangulation, *once).size(), 8u);
+  EXPECT_EQ(once->lower, again->lower);
+}
+
 TEST(PlaceCones, OneChartGetsAsManyAsItNeeds) {
   const Surface needle = Moved(GeneratedSurface("sphere", 8000), [](const Eigen::Vector3d& x) {
     return Eigen::Vector3d(100 * x.x(), x.y(), x.z());
@@ -101,14 +120,14 @@ TEST(PlaceCones, OneChartGetsAsManyAsItNeeds) {
   const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(needle.triangulation, lengths);
   const ConeProblem problem(delaunay.triangulation, delaunay.lengths);
   const IntrinsicSurface measured = MeasureSurface(needle.triangulation, lengths);
-  const int count = ConesForOneChart(measured, 4);
+  const int count = ConesForOneChart(ConeSite(measured), 4);
   EXPECT_GT(count, 4);
   EXPECT_GT(PredictedRange(problem, count / 2), 28);
   EXPECT_LE(PredictedRange(problem, count), 28);
-  EXPECT_EQ(ConesForOneChart(measured, 1000), 1000);
+  EXPECT_EQ(ConesForOneChart(ConeSite(measured), 1000), 1000);
   const Surface sphere = GeneratedSurface("sphere", 400);
-  EXPECT_EQ(ConesForOneChart(MeasureSurface(sphere.triangulation, MeasureEdgeLengths(sphere)), 4),
-            4);
+  const EdgeLengths of_sphere = MeasureEdgeLengths(sphere);
+  EXPECT_EQ(ConesForOneChart(ConeSite(MeasureSurface(sphere.triangulation, of_sphere)), 4), 4);
   const auto placed = Place(needle, {});
   ASSERT_TRUE(placed.ok());
   EXPECT_GE(ConesOf(needle.triangulation, *placed).size(), 8u);

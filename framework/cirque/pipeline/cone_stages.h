@@ -20,26 +20,47 @@
 
 namespace cirque {
 
+/// A surface on which cones are sought, once or again and again.
+class ConeSite {
+ public:
+  /// `file`: how a cone file numbers the vertices; empty: in order. The surface must outlive this.
+  explicit ConeSite(const IntrinsicSurface& surface, FileVertices file = {});
+  ~ConeSite();
+
+  const IntrinsicSurface& surface() const { return surface_; }
+  const FileVertices& file() const { return file_; }
+
+  /// The problem on the metric's intrinsic Delaunay connectivity. Most surfaces ask for it once, so it is
+  /// kept only from the second time on.
+  std::shared_ptr<const ConeProblem> Problem() const;
+
+ private:
+  struct Kept;
+
+  const IntrinsicSurface& surface_;
+  FileVertices file_;
+  mutable bool asked_ = false;
+  mutable std::shared_ptr<const Kept> kept_;
+};
+
 /// Interior vertices flat, boundary vertices free. A closed surface: as many cones as those of
 /// SimpleConeTargets, or as many more as one chart needs (ConesForOneChart), moved by
 /// `moving:measure=angle`; where there are no such, as many as Gauss-Bonnet needs, by `greedy`. A torus: none, or 8 moved cones where without them its area
 /// would range over more than e^4, and with them over e to at most .8 of that, as the linear model
 /// predicts.
-StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface);
+StatusOr<ConeTargets> DefaultTargets(const ConeSite& site);
 
 /// The least of count, 2 count, 4 count, ... cones by `greedy` with which the linear model predicts
 /// areas to range over no more than e^28, beyond which doubles leave the smallest triangles of one
 /// chart fewer than 8 digits; at most 512 or a sixteenth of the vertices, unless `count` is more.
-int ConesForOneChart(const IntrinsicSurface& surface, int count);
+int ConesForOneChart(const ConeSite& site, int count);
 
-/// The targets that the options' cone heuristic chooses, sought on the metric's intrinsic Delaunay
-/// connectivity, with the angles the options ask for; DefaultTargets when they name no heuristic.
-/// `file`: how a cone file numbers the vertices; empty: in order. Errors (invalid input): an
+/// The targets that the options' cone heuristic chooses, with the angles the options ask for;
+/// DefaultTargets when they name no heuristic. Errors (invalid input): an
 /// unknown name or option, cones of a file that Gauss-Bonnet or the corners forbid, a surface that
 /// can carry none. A budget that is too small for Gauss-Bonnet, or for angles that are multiples, is
 /// exceeded.
-StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
-                                 const ParameterizeOptions& options);
+StatusOr<ConeTargets> PlaceCones(const ConeSite& site, const ParameterizeOptions& options);
 
 /// The cones that the options' heuristic chooses in a problem, with the angles that the options ask
 /// for, and with more cones where those leave no multiples that add up. Errors as of PlaceCones.

@@ -76,7 +76,7 @@ class Climb {
   }
 
   bool IsOfNoUse(double distortion) const {
-    return distortion > (IsCoarse(start_.surface) ? kOfLittleUse : kOfNoUse);
+    return distortion > (IsCoarse(start_.surface()) ? kOfLittleUse : kOfNoUse);
   }
 
   /// More cones instead of a map of little use, cones wherever the surface is curved instead of one of

@@ -62,7 +62,7 @@ bool EquivalenceMayDo(const EndedRoad& last) {
                                  last.asked_end == RoadEnd::kUnrepresentable;
   return may_end_otherwise && ByCircles(last) &&
          Asked(last).triangulation != SolvedTriangulation::kInput &&
-         HasEquivalentMetric(last.start.surface, last.asked_for);
+         HasEquivalentMetric(last.start.surface(), last.asked_for);
 }
 
 bool NotQuadratic(const EndedRoad& last) {
@@ -80,7 +80,7 @@ bool DualWanders(const EndedRoad& last) {
 bool ImpreciseByFlips(const EndedRoad& last) {
   return last.end == RoadEnd::kImprecise && ByCircles(last) &&
          last.road.options.triangulation == SolvedTriangulation::kDelaunay &&
-         ConesOf(last.start.surface.triangulation, last.asked_for).empty();
+         ConesOf(last.start.surface().triangulation, last.asked_for).empty();
 }
 
 bool ConesInfeasible(const EndedRoad& last) {
@@ -90,7 +90,7 @@ bool ConesInfeasible(const EndedRoad& last) {
 
 /// Of a large surface that much of the curvature is as many cones as almost all of it.
 bool MayChooseConesOfCoarse(const EndedRoad& last) {
-  return MayChooseCones(last) && IsCoarse(last.start.surface);
+  return MayChooseCones(last) && IsCoarse(last.start.surface());
 }
 
 // What rungs change; false: nothing.
@@ -125,7 +125,7 @@ bool SolveOnInput(const EndedRoad& /*last*/, int /*number*/, Road* road) {
 
 bool Repair(const EndedRoad& last, int round, Road* road) {
   ConeRepair repaired =
-      RepairCones(last.start.surface, last.map.targets, last.map.flat.infeasibility, round);
+      RepairCones(last.start.surface(), last.map.targets, last.map.flat.infeasibility, round);
   if (repaired.moved + repaired.widened == 0) return false;
   ConeRepairSummary& summary = Fill(&road->repair);
   summary.cone_repairs = round;
@@ -138,11 +138,11 @@ bool Repair(const EndedRoad& last, int round, Road* road) {
 /// How many cones to begin with: as many as the road that was asked for, which had the default's, or
 /// as one chart needs where that is what failed.
 int LeastConesAfter(const EndedRoad& last) {
-  const IntrinsicSurface& surface = last.start.surface;
-  const auto of_default = static_cast<int>(ConesOf(surface.triangulation, last.asked_for).size());
+  const Triangulation& t = last.start.surface().triangulation;
+  const auto of_default = static_cast<int>(ConesOf(t, last.asked_for).size());
   const int least = std::max(kLeastCones, of_default);
   const bool wide = last.end == RoadEnd::kImprecise || last.end == RoadEnd::kUnrepresentable;
-  return wide ? ConesForOneChart(surface, least) : least;
+  return wide ? ConesForOneChart(last.start.site, least) : least;
 }
 
 /// The road that was asked for, with other cones; what was learnt of iterations stays.
@@ -155,7 +155,7 @@ void AskAnew(const EndedRoad& last, std::string cones, Road* road) {
 
 /// The same, so many times as many as to begin with.
 bool PlaceAnew(const EndedRoad& last, const std::string& heuristic, int factor, Road* road) {
-  const Triangulation& t = last.start.surface.triangulation;
+  const Triangulation& t = last.start.surface().triangulation;
   if (!*last.least_cones) *last.least_cones = LeastConesAfter(last);
   const int count = factor * **last.least_cones;
   if (count > kMostCones || (factor > 1 && count > t.num_vertices / 2)) return false;

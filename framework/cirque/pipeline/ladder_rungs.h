@@ -7,6 +7,7 @@
 
 #include "cirque/core/metric.h"
 #include "cirque/intrinsic/intrinsic_surface.h"
+#include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/flat_surface.h"
 #include "cirque/pipeline/options.h"
 #include "cirque/pipeline/parameterization.h"
@@ -26,9 +27,11 @@ struct Road {
 
 /// Where the ladder stands.
 struct LadderStart {
-  const IntrinsicSurface& surface;
+  const ConeSite& site;
   const Road& asked;  ///< with the user's targets, if there are any
   bool cut_given = false;
+
+  const IntrinsicSurface& surface() const { return site.surface(); }
 };
 
 /// The last road tried.

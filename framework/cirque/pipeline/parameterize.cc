@@ -65,12 +65,12 @@ int ConesAskedFor(const ParameterizeOptions& options) {
   return count;
 }
 
-Status Place(const Job& job, Parameterization* result) {
+Status Place(const Job& job, const ConeSite& site, Parameterization* result) {
   const Timer timer;
   job.control.BeginStage("cones");
   StatusOr<ConeTargets> targets =
       job.options.holonomy == HolonomyRule::kFree
-          ? PlaceCones(job.surface, job.file, job.options)
+          ? PlaceCones(site, job.options)
           : PlaceSeamlessCones(job.surface, job.file, job.options, job.control,
                                &Fill(&result->certificate.holonomy));
   result->certificate.seconds.cones = timer.Seconds();
@@ -92,7 +92,7 @@ void CompareWithBudget(const Triangulation& t, const ParameterizeOptions& option
 }
 
 /// One road from a surface to its map.
-Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
+Status TakeRoad(const Job& job, const Road& road, const ConeSite& site, Parameterization* result) {
   if (road.targets) {
     result->targets = *road.targets;
   } else if (OpensFirst(job)) {
@@ -102,7 +102,7 @@ Status TakeRoad(const Job& job, const Road& road, Parameterization* result) {
           "by any angle; take seams = rigid");
     }
     return ByFullestCut(OpenAndLayOut, job, result);
-  } else if (Status s = Place(job, result); !s.ok()) {
+  } else if (Status s = Place(job, site, result); !s.ok()) {
     return s;
   }
   Status status = FlattenToTargets(job, result);
@@ -177,17 +177,18 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   const ParameterizeOptions& options = request.options;
   if (Status s = CheckRequest(surface, request); !s.ok()) return s;
   const Cut* cut = request.cut ? &*request.cut : nullptr;
+  const ConeSite site(surface, origin.file);
   const auto take = [&](const Road& road, Parameterization* end) {
     return TakeRoad(
         {surface, origin.file, cut, road.options, control,
          origin.inside.empty() ? nullptr : &origin.inside, origin.position, request.rotations.get(),
          request.targets.has_value(), &request.place_exact, road.dual},
-        road, end);
+        road, site, end);
   };
   const Road asked{options, request.targets, {}};
   const bool opens =
       cut != nullptr || (options.least_charts > 1 && options.seams != SeamKind::kRigid);
-  Status status = ClimbLadder({surface, asked, opens}, take, result);
+  Status status = ClimbLadder({site, asked, opens}, take, result);
   result->certificate.infeasibility = std::move(result->flat.infeasibility);
   result->certificate.cone_rounding = request.cone_rounding;
   if (!request.targets) CompareWithBudget(surface.triangulation, options, result);
@@ -231,7 +232,7 @@ Status CheckKeepsPolygons(const Surface& surface, const std::vector<bool>& insid
 
 StatusOr<ConeTargets> DefaultTargets(const Surface& surface) {
   const EdgeLengths lengths = MeasureEdgeLengths(surface);
-  return DefaultTargets(MeasureSurface(surface.triangulation, lengths));
+  return DefaultTargets(ConeSite(MeasureSurface(surface.triangulation, lengths)));
 }
 
 Status Parameterize(const Triangulation& t, const EdgeLengths& lengths,

@@ -235,22 +235,36 @@ class Repair {
 
 }  // namespace
 
-int ConesForOneChart(const IntrinsicSurface& surface, int count) {
-  const Triangulation& t = surface.triangulation;
-  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
-  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
-                            {&surface, {}});
-  return EnoughCones(problem, count);
+struct ConeSite::Kept {
+  Kept(const IntrinsicSurface& surface, const FileVertices& file)
+      : delaunay(MakeIntrinsicDelaunay(surface.triangulation, surface.lengths)),
+        problem(MeasureSurface(delaunay.triangulation, delaunay.lengths), {&surface, file}) {}
+
+  const IntrinsicTriangulation delaunay;
+  const ConeProblem problem;
+};
+
+ConeSite::ConeSite(const IntrinsicSurface& surface, FileVertices file)
+    : surface_(surface), file_(std::move(file)) {}
+
+ConeSite::~ConeSite() = default;
+
+std::shared_ptr<const ConeProblem> ConeSite::Problem() const {
+  const auto made = kept_ ? kept_ : std::make_shared<const Kept>(surface_, file_);
+  if (asked_) kept_ = made;
+  asked_ = true;
+  return {made, &made->problem};
 }
 
-StatusOr<ConeTargets> DefaultTargets(const IntrinsicSurface& surface) {
-  const Triangulation& t = surface.triangulation;
+int ConesForOneChart(const ConeSite& site, int count) {
+  return EnoughCones(*site.Problem(), count);
+}
+
+StatusOr<ConeTargets> DefaultTargets(const ConeSite& site) {
+  const Triangulation& t = site.surface().triangulation;
   const bool closed = BoundaryLoops(t).empty();
-  if (!closed && NeededBesideBoundary(surface) == 0) return FreeBoundaryTargets(t);
-  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
-  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
-                            {&surface, {}});
-  const StatusOr<std::vector<Cone>> cones = DefaultConesOf(problem);
+  if (!closed && NeededBesideBoundary(site.surface()) == 0) return FreeBoundaryTargets(t);
+  const StatusOr<std::vector<Cone>> cones = DefaultConesOf(*site.Problem());
   return cones.ok() ? ConeTargetsOf(t, *cones) : cones.status();
 }
 
@@ -260,20 +274,15 @@ StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
   return angles.ok() ? ChooseWithAngles(problem, options, *angles) : angles.status();
 }
 
-StatusOr<ConeTargets> PlaceCones(const IntrinsicSurface& surface, const FileVertices& file,
-                                 const ParameterizeOptions& options) {
-  const Triangulation& t = surface.triangulation;
+StatusOr<ConeTargets> PlaceCones(const ConeSite& site, const ParameterizeOptions& options) {
   const ParameterizeOptions plain;
   if (options.cones == plain.cones && options.cone_budget == plain.cone_budget &&
       options.cone_angles == plain.cone_angles && !options.own_cones) {
-    return DefaultTargets(surface);
+    return DefaultTargets(site);
   }
-  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
-  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
-                            {&surface, file});
-  const StatusOr<std::vector<Cone>> cones = ChooseCones(problem, options);
+  const StatusOr<std::vector<Cone>> cones = ChooseCones(*site.Problem(), options);
   if (!cones.ok()) return cones.status();
-  return ConeTargetsOf(t, *cones);
+  return ConeTargetsOf(site.surface().triangulation, *cones);
 }
 
 ConeRepair RepairCones(const IntrinsicSurface& surface, const ConeTargets& targets,

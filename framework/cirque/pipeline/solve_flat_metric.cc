@@ -22,6 +22,8 @@ namespace {
 constexpr char kRetry[] = "interior_point", kRetryObjective[] = "quadratic";
 /// Share of the iterations after which a fit wanders: those that come to an end take under twenty.
 constexpr double kPatience = 0.3;
+/// The same where a map is wanted only if it is easy: those took 5 to 8 of them.
+constexpr double kLittlePatience = 0.15;
 /// Of the interior point a step costs less than one of the dual up to so many faces, and many times
 /// as much at 50,000.
 constexpr int kFewFaces = 20000;
@@ -124,7 +126,8 @@ class FlatMetricSolve {
 
   /// Another triangulation or method takes over from a fit that wanders.
   int MostSteps() const {
-    return std::max(1, static_cast<int>(kPatience * options_.max_iterations));
+    const double patience = job_.dual == DualFit::kOrNothing ? kLittlePatience : kPatience;
+    return std::max(1, static_cast<int>(patience * options_.max_iterations));
   }
 
   OptionMap AngleSolverOptions() const {
