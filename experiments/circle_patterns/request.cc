@@ -131,6 +131,7 @@ StatusOr<MapRequest> RequestOf(const CirclePatternsJob& job, Index num_file_vert
   request.domain = job.domain.name;
   request.options = job.options;
   request.options.exact = AsksForExact(job);
+  request.measure_visibility = !job.certificate.empty();
   auto shape = OptionsOf(job.domain, FileNumbering(surface, num_file_vertices));
   if (!shape.ok()) return shape.status();
   request.shape = *std::move(shape);

@@ -170,6 +170,19 @@ TEST(CutHeuristics, VisibilityMakesAVisiblyShorterCut) {
   }
 }
 
+TEST(CutHeuristics, WhoDoesNotAskHowMuchOfACutIsSeenGetsTheSameMapWithoutIt) {
+  const Surface torus = GeneratedSurface("torus", 200);
+  ParameterizeRequest request;
+  Parameterization asked, map;
+  ASSERT_TRUE(Parameterize(torus, request, {}, &asked).ok());
+  EXPECT_GT(*asked.certificate.layout->visible_cut_length, 0);
+  request.measure_visibility = false;
+  ASSERT_TRUE(Parameterize(torus, request, {}, &map).ok());
+  EXPECT_FALSE(map.certificate.layout->visible_cut_length.has_value());
+  EXPECT_EQ(map.certificate.layout->cut_length, asked.certificate.layout->cut_length);
+  EXPECT_EQ(map.uv.value, asked.uv.value);
+}
+
 TEST(CutHeuristics, WhatLooksAtASurfaceNeedsPoints) {
   const Surface torus = GeneratedSurface("torus", 200);
   ParameterizeOptions options;

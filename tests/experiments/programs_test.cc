@@ -162,6 +162,7 @@ TEST_F(ProgramsTest, RefinedMapsAndOpenedSurfacesAreVerified) {
     const ProgramResult verified = RunProgram("verify_map --json " + in + " " + out);
     EXPECT_EQ(verified.exit_status, 0) << verified.output;
     const auto certificate = nlohmann::json::parse(folder_.Read("out.certificate.json"));
+    EXPECT_GT(certificate["values"]["visible_cut_length"].get<double>(), 0);
     return certificate["values"]["quasi_conformal_mean"].get<double>();
   };
   const double plain = distortion("--refine_map=none"),

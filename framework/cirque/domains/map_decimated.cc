@@ -205,7 +205,9 @@ class DecimatedSolve {
     map_->certificate.seams =
         SummaryOf(MeasureSeams(t_, map_->cut, cones, AnglesIn(map_->uv), map_->uv));
     layout.cut_length = RelativeCutLength(intrinsic, map_->cut);
-    layout.visible_cut_length = VisibleCutLength(intrinsic, surface_.position, map_->cut);
+    if (request_.measure_visibility) {
+      layout.visible_cut_length = VisibleCutLength(intrinsic, surface_.position, map_->cut);
+    }
     return Status();
   }
 

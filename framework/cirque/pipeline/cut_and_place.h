@@ -35,6 +35,7 @@ struct ParameterizeJob {
   /// Faces to be laid out each by itself, and others where doubles do not hold them about one origin
   /// (LayOutAboutSeveralOrigins); null: all about one.
   const std::vector<Index>* alone = nullptr;
+  bool measure_visibility = true;  ///< as in ParameterizeRequest
 };
 
 /// The given cut and what is needed beyond it to open all cones and leave disks, as many as the

@@ -142,7 +142,7 @@ void Measure(const Job& job, Parameterization* result) {
   summary.float32_vanishing_triangles =
       static_cast<int>(FlippedFacesInFloat32(job.surface.triangulation, result->uv).size());
   summary.cut_length = RelativeCutLength(job.surface, result->cut);
-  if (job.position) {
+  if (job.position && job.measure_visibility) {
     summary.visible_cut_length = VisibleCutLength(job.surface, *job.position, result->cut);
   }
   MeasureDistortion(job.surface.triangulation, job.surface.lengths, result->cut, result->uv,

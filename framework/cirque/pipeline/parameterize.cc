@@ -34,7 +34,8 @@ Status ByFullestCut(Status (*lay_out)(const Job&, Parameterization*), const Job&
                     Parameterization* result) {
   const auto by = [&](const ParameterizeOptions& options, Parameterization* map) {
     return lay_out({job.surface, job.file, job.cut, options, job.control, job.inside, job.position,
-                    job.rotations, job.targets_given, job.place_exact, job.dual},
+                    job.rotations, job.targets_given, job.place_exact, job.dual, job.alone,
+                    job.measure_visibility},
                    map);
   };
   return MapFullest(job.options, by, result);
@@ -179,11 +180,11 @@ Status RunRequest(const IntrinsicSurface& surface, const Origin& origin,
   const Cut* cut = request.cut ? &*request.cut : nullptr;
   const ConeSite site(surface, origin.file);
   const auto take = [&](const Road& road, Parameterization* end) {
-    return TakeRoad(
-        {surface, origin.file, cut, road.options, control,
-         origin.inside.empty() ? nullptr : &origin.inside, origin.position, request.rotations.get(),
-         request.targets.has_value(), &request.place_exact, road.dual},
-        road, site, end);
+    return TakeRoad({surface, origin.file, cut, road.options, control,
+                     origin.inside.empty() ? nullptr : &origin.inside, origin.position,
+                     request.rotations.get(), request.targets.has_value(), &request.place_exact,
+                     road.dual, nullptr, request.measure_visibility},
+                    road, site, end);
   };
   const Road asked{options, request.targets, {}};
   const bool opens =

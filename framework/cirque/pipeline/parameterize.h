@@ -35,6 +35,9 @@ struct ParameterizeRequest {
   /// With options.exact: puts the layout of what was solved where its exact map is to be drawn
   /// (pipeline/exact_layout.h); null: it stays.
   std::function<Status(SolvedLayout*)> place_exact = {};
+  /// Whether the certificate is to say how much of a cut is seen (visible_cut_length): up to a twentieth of
+  /// the time of a small closed surface.
+  bool measure_visibility = true;
 };
 
 /// DefaultTargets (cone_stages.h) of a surface in space.
