@@ -16,9 +16,13 @@ SupernodalHermitian::SupernodalHermitian() {
 }
 
 SupernodalHermitian::~SupernodalHermitian() {
+  FreeFactor();
+  cholmod_finish(&common_);
+}
+
+void SupernodalHermitian::FreeFactor() {
   if (factor_) factor_->x = nullptr;  // the numbers are ours
   cholmod_free_factor(&factor_, &common_);
-  cholmod_finish(&common_);
 }
 
 bool SupernodalHermitian::Factorize(const Factorization::Matrix& lower) {
@@ -28,6 +32,7 @@ bool SupernodalHermitian::Factorize(const Factorization::Matrix& lower) {
 }
 
 bool SupernodalHermitian::Analyze(const Factorization::Matrix& lower) {
+  FreeFactor();  // of an analysis for whose numbers there was no memory
   cholmod_sparse a = ViewOf(lower);
   factor_ = cholmod_analyze(&a, &common_);
   if (!factor_ || !numbers_.Reserve(2 * factor_->xsize)) return false;

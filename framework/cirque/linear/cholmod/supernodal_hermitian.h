@@ -32,6 +32,7 @@ class SupernodalHermitian {
 
  private:
   bool Analyze(const Factorization::Matrix& lower);
+  void FreeFactor();
 
   cholmod_common common_ = {};
   cholmod_factor* factor_ = nullptr;
