@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
-#include <random>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 
 #include "cirque/core/parallel.h"
 #include "cirque/energy/dual_angle_energy.h"
-#include "cirque/math/compensated_sum.h"
 
 namespace cirque {
 namespace {
@@ -20,22 +19,11 @@ double Worse(double a, double b) {
 /// Collects the conditions on the inequalities' multipliers, edge by edge.
 class InequalityCheck {
  public:
+  /// `distances`: those of all corners from their references (DualAngleEnergy).
   InequalityCheck(const AngleFitProblem& problem, const AngleObjective& objective,
-                  const Eigen::VectorXd& alpha, const Eigen::VectorXd& y)
-      : problem_(problem), objective_(objective), alpha_(alpha), y_(y) {
-    std::vector<double> references(alpha.size());
-    ParallelFor(static_cast<int>(alpha.size()), [&](Index h) {
-      references[h] = objective.ClampReference(problem.reference[h], problem.epsilon);
-    });
-    auto jets = std::make_shared<std::vector<ScalarJet>>(references.size());
-    objective.Distances(references, {alpha.data(), references.size()}, *jets);
-    jets_ = std::move(jets);
-  }
-
-  /// Of all corners from their references.
-  double SumOfDistances() const {
-    return ParallelSum(static_cast<int>(jets_->size()), [&](Index h) { return (*jets_)[h].value; });
-  }
+                  const Eigen::VectorXd& alpha, const std::vector<ScalarJet>& distances,
+                  const Eigen::VectorXd& y)
+      : problem_(problem), objective_(objective), alpha_(alpha), distances_(distances), y_(y) {}
 
   void AddEdge(Index l, Index r) {
     if (r == kNone) return AddBoundaryEdge(l);
@@ -84,7 +72,7 @@ class InequalityCheck {
   double Excess(Index h, double theta, double theta_reference) {
     const double target = problem_.constraints.Slope(y_.data(), h);
     largest_slope_ = std::max(largest_slope_, std::abs(target));
-    double gradient = (*jets_)[h].slope;
+    double gradient = distances_[h].slope;
     if (objective_.MeasuresTheta()) {
       const double reference = objective_.ClampReference(theta_reference, problem_.epsilon);
       gradient -= objective_.Distance(reference, theta).slope;
@@ -106,9 +94,8 @@ class InequalityCheck {
   const AngleFitProblem& problem_;
   const AngleObjective& objective_;
   const Eigen::VectorXd& alpha_;
+  const std::vector<ScalarJet>& distances_;
   const Eigen::VectorXd& y_;
-  /// The distances of all corners; shared by the parts.
-  std::shared_ptr<const std::vector<ScalarJet>> jets_;
   double dual_infeasibility_ = 0, complementarity_ = 0, largest_slope_ = 0, violation_ = 0;
 };
 
@@ -163,12 +150,13 @@ KktReport CheckKkt(const AngleFitProblem& problem, const AngleObjective& objecti
   // nothing.
   const std::shared_ptr<const AngleObjective> borrowed(std::shared_ptr<void>(), &objective);
   const DualAngleEnergy energy(problem.constraints, problem.reference, problem.epsilon, borrowed);
-  InequalityCheck check(problem, objective, alpha, y);
-  report.primal = objective.MeasuresTheta() ? energy.Primal(alpha) : check.SumOfDistances();
+  const std::vector<ScalarJet> distances = energy.Distances(alpha);
+  report.primal = energy.Primal(alpha, distances);
   double negated_dual = kUnset;
   report.stationarity = (alpha - energy.Angles(y.data(), &negated_dual)).lpNorm<Eigen::Infinity>();
   report.dual = -negated_dual;
   const Triangulation& t = problem.constraints.triangulation();
+  InequalityCheck check(problem, objective, alpha, distances, y);
   std::vector<InequalityCheck> of_block(NumBlocks(t.num_edges()), check);
   ForEachBlock(t.num_edges(), [&](int block, int begin, int end) {
     for (Index e = begin; e < end; ++e) {

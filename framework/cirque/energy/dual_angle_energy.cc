@@ -192,14 +192,20 @@ std::vector<double> DualAngleEnergy::ClampedReferences() const {
   return references;
 }
 
-double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha) const {
-  const Triangulation& t = constraints_.triangulation();
-  if (objective_->TakesArrays()) {
-    const std::vector<double> references = ClampedReferences();
-    std::vector<ScalarJet> jets(references.size());
-    objective_->Distances(references, {alpha.data(), references.size()}, jets);
-    return ParallelSum(static_cast<int>(jets.size()), [&](Index h) { return jets[h].value; });
+std::vector<ScalarJet> DualAngleEnergy::Distances(const Eigen::VectorXd& alpha) const {
+  const std::vector<double> references = ClampedReferences();
+  std::vector<ScalarJet> distances(references.size());
+  objective_->Distances(references, {alpha.data(), references.size()}, distances);
+  return distances;
+}
+
+double DualAngleEnergy::Primal(const Eigen::VectorXd& alpha,
+                               const std::vector<ScalarJet>& distances) const {
+  if (!objective_->MeasuresTheta()) {
+    return ParallelSum(static_cast<int>(distances.size()),
+                       [&](Index h) { return distances[h].value; });
   }
+  const Triangulation& t = constraints_.triangulation();
   return ParallelSum(t.num_edges(), [&](Index e) {
     const Index l = t.edge_halfedge[e], r = t.twin[l];
     return r == kNone

@@ -50,8 +50,12 @@ class DualAngleEnergy final : public Energy, private EnergySource {
   /// The energy too.
   Eigen::VectorXd Angles(const double* y, double* value) const;
 
-  /// The primal objective sum_e phi_e(alpha).
-  double Primal(const Eigen::VectorXd& alpha) const;
+  /// The distances of corner angles from their references, 3F.
+  std::vector<ScalarJet> Distances(const Eigen::VectorXd& alpha) const;
+
+  /// The primal objective sum_e phi_e(alpha), of angles or of angles and their Distances().
+  double Primal(const Eigen::VectorXd& alpha) const { return Primal(alpha, Distances(alpha)); }
+  double Primal(const Eigen::VectorXd& alpha, const std::vector<ScalarJet>& distances) const;
 
  private:
   EdgeSlopes SlopesAt(Index e, const double* y) const;

@@ -1,6 +1,5 @@
 #include "cirque/math/box_tree.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>

@@ -28,7 +28,6 @@ class ConeSite {
   ~ConeSite();
 
   const IntrinsicSurface& surface() const { return surface_; }
-  const FileVertices& file() const { return file_; }
 
   /// The problem on the metric's intrinsic Delaunay connectivity. Most surfaces ask for it once, so it is
   /// kept only from the second time on.
@@ -75,8 +74,7 @@ StatusOr<std::vector<Cone>> ChooseCones(const ConeProblem& problem,
 /// they were, at most four times; those that miss least are returned. Cones of a file, and those of
 /// a surface with a boundary, whose free angles close any rotation, stay where the heuristic puts
 /// them. The summary says what was done.
-StatusOr<ConeTargets> PlaceSeamlessCones(const IntrinsicSurface& surface, const FileVertices& file,
-                                         const ParameterizeOptions& options,
+StatusOr<ConeTargets> PlaceSeamlessCones(const ConeSite& site, const ParameterizeOptions& options,
                                          const SolveControl& control, HolonomySummary* summary);
 
 /// What a repair did.

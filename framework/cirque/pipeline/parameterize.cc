@@ -69,11 +69,10 @@ int ConesAskedFor(const ParameterizeOptions& options) {
 Status Place(const Job& job, const ConeSite& site, Parameterization* result) {
   const Timer timer;
   job.control.BeginStage("cones");
-  StatusOr<ConeTargets> targets =
-      job.options.holonomy == HolonomyRule::kFree
-          ? PlaceCones(site, job.options)
-          : PlaceSeamlessCones(job.surface, job.file, job.options, job.control,
-                               &Fill(&result->certificate.holonomy));
+  StatusOr<ConeTargets> targets = job.options.holonomy == HolonomyRule::kFree
+                                      ? PlaceCones(site, job.options)
+                                      : PlaceSeamlessCones(site, job.options, job.control,
+                                                           &Fill(&result->certificate.holonomy));
   result->certificate.seconds.cones = timer.Seconds();
   if (!targets.ok()) return targets.status();
   result->targets = *std::move(targets);

@@ -1,4 +1,5 @@
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,7 +9,6 @@
 #include "cirque/cones/seamless_cones.h"
 #include "cirque/cones/seamless_search.h"
 #include "cirque/core/enum_words.h"
-#include "cirque/intrinsic/intrinsic_delaunay.h"
 #include "cirque/pipeline/close_rotations.h"
 #include "cirque/pipeline/cone_stages.h"
 #include "cirque/pipeline/solve_flat_metric.h"
@@ -103,13 +103,11 @@ class Rounds {
 
 }  // namespace
 
-StatusOr<ConeTargets> PlaceSeamlessCones(const IntrinsicSurface& surface, const FileVertices& file,
-                                         const ParameterizeOptions& options,
+StatusOr<ConeTargets> PlaceSeamlessCones(const ConeSite& site, const ParameterizeOptions& options,
                                          const SolveControl& control, HolonomySummary* summary) {
-  const Triangulation& t = surface.triangulation;
-  const IntrinsicTriangulation delaunay = MakeIntrinsicDelaunay(t, surface.lengths);
-  const ConeProblem problem(MeasureSurface(delaunay.triangulation, delaunay.lengths),
-                            {&surface, file});
+  const Triangulation& t = site.surface().triangulation;
+  const std::shared_ptr<const ConeProblem> made = site.Problem();
+  const ConeProblem& problem = *made;
   const ParameterizeOptions with_cones = WithCones(problem, options);
   StatusOr<std::vector<Cone>> cones = ChooseCones(problem, with_cones);
   if (!cones.ok()) return cones.status();

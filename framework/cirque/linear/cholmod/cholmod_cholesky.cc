@@ -160,8 +160,8 @@ class CholmodCholesky final : public SparseCholesky {
     cholmod_free_factor(&factor_, &common_);
   }
 
-  std::optional<SupernodalFactorization<double>>
-      supernodal_;  ///< for supernodal factors, as the solver
+  /// Of supernodal factors.
+  std::optional<SupernodalFactorization<double>> supernodal_;
   std::optional<SupernodalSolver> solver_;
   std::unique_ptr<SinglePrecisionFactor> rounded_;
   LargeBuffer numbers_;

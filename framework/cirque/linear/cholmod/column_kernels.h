@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstring>
 
 #include "cirque/core/lanes.h"
 

@@ -22,7 +22,7 @@ class SupernodeNumbers {
   /// w of the columns becomes L^-1 w, and is taken out of that of the rows below.
   virtual void Solve(int s, double* w) const = 0;
 
-  /// w of the columns becomes L^-T w, given that of the rows below.
+  /// w of the columns becomes L^-* w, given that of the rows below.
   virtual void SolveTransposed(int s, double* w) const = 0;
 };
 
@@ -45,7 +45,7 @@ class SupernodalSolver {
   /// `order` is the factor's, of the unknowns. Both must outlive this.
   SupernodalSolver(const SupernodalTree& tree, const int* order);
 
-  /// x = (L L')^-1 b, the unknowns in their order before that of the factor.
+  /// x = (L L*)^-1 b, the unknowns in their order before that of the factor.
   void Solve(const SupernodeNumbers& numbers, const Eigen::VectorXd& b, Eigen::VectorXd* x);
 
   /// The same with the numbers of a complex factor: w has real and imaginary parts in turn.
